@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/error.h"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <optional>
+
+namespace tessera
+{
+
+/// Progress, cancel and time limit of one run; passed by reference to every long stage.
+/// Stages call checkpoint() at least every few milliseconds of work. Thread-safe.
+class Execution
+{
+public:
+    using Clock = std::chrono::steady_clock;
+    /// Called with the overall fraction 0..1 (never falling) and the stage's name.
+    using Progress = std::function<void(double fraction, const char* stage)>;
+
+    Execution() = default;
+    Execution(const Execution&) = delete;
+    Execution& operator=(const Execution&) = delete;
+
+    void setProgress(Progress progress) { progress_ = std::move(progress); }
+    void setTimeLimit(double seconds)
+    {
+        deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                        std::chrono::duration<double>(seconds));
+    }
+    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+
+    /// A stage covers [begin, end] of the whole run; its own progress is scaled into it.
+    void beginStage(const char* name, double begin, double end)
+    {
+        stage_ = name;
+        begin_ = begin;
+        end_ = end;
+        report(0.0);
+    }
+    /// Throws Error(Cancelled) or Error(TimeLimit). Cheap without a time limit.
+    void checkpoint() const
+    {
+        if (cancelled_.load(std::memory_order_relaxed)) {
+            throw Error(ErrorKind::Cancelled, "Cancelled.");
+        }
+        if (deadline_ && Clock::now() > *deadline_) {
+            throw Error(ErrorKind::TimeLimit,
+                        "The time limit ran out; raise it or choose a larger size.");
+        }
+    }
+    /// checkpoint() and tell how much of the stage is done, 0..1.
+    void report(double fraction)
+    {
+        checkpoint();
+        if (progress_) {
+            const double overall = begin_ + (end_ - begin_) * fraction;
+            if (overall >= last_) {
+                last_ = overall;
+                progress_(overall, stage_);
+            }
+        }
+    }
+
+private:
+    std::atomic<bool> cancelled_ {false};
+    std::optional<Clock::time_point> deadline_;
+    Progress progress_;
+    const char* stage_ = "";
+    double begin_ = 0.0;
+    double end_ = 1.0;
+    double last_ = 0.0;
+};
+
+} // namespace tessera

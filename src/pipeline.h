@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/execution.h"
+#include "curve/curve_network.h"
+#include "delaunay/delaunay.h"
+#include "mesh/mesh.h"
+#include "recover/recover.h"
+#include "refine/refine.h"
+#include "region/region.h"
+#include "sizing/size_field.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tessera
+{
+
+/// Options of one meshing run. Lengths in the input's unit, angles in degrees. 0 means "choose".
+struct MeshOptions
+{
+    double size = 0.0;     ///< target edge length; 0: bounding-box diagonal / 40
+    double minSize = 0.0;  ///< lower bound of the size field; 0: none
+    double growth = 0.3;   ///< greatest |grad h|, 0 < growth <= 1
+    double minAngle = 30.0; ///< 0..33
+    double maxArea = 0.0;  ///< 0: none
+    double weld = -1.0;    ///< end points closer than this are one; < 0: the input's default
+    int order = 1;         ///< 1 or 2
+    FillRule fill = FillRule::EvenOdd;
+    RecoveryStrategy recovery = RecoveryStrategy::Cavity;
+    bool refine = true;    ///< false: no interior points, straight segments not sampled
+    bool optimize = true;
+};
+
+/// Seconds of each stage; disjoint, in the order they run. read and write belong to the caller.
+struct StageSeconds
+{
+    double read = 0, arrange = 0, sample = 0, triangulate = 0, recover = 0, color = 0, refine = 0,
+           optimize = 0, extract = 0, write = 0, total = 0;
+};
+
+/// Quality of the triangles; angles in degrees, q = 4 sqrt(3) area / sum of squared edges.
+struct QualityReport
+{
+    double minAngle = 0, maxAngle = 0, angleP01 = 0, minQuality = 0, meanQuality = 0;
+    struct Conformity
+    {
+        double min = 0, p05 = 0, median = 0, p95 = 0, max = 0;
+    } sizeConformity; ///< edge length / h at its middle
+};
+
+struct MeshReport
+{
+    std::size_t inputPoints = 0, inputSegments = 0, inputCurves = 0, inputOperands = 0;
+    RecoveryReport recovery;
+    std::size_t regions = 0;
+    double area = 0.0;
+    std::vector<double> regionAreas;
+    QualityReport quality;
+    std::vector<Unreached> unreached;
+    double defaultSize = 0.0; ///< diagonal / 40
+    double weld = 0.0;        ///< the tolerance used
+    std::size_t welded = 0;   ///< end points joined by it
+    std::vector<std::string> messages; ///< for the user: holes by even-odd, welds, dropped parts
+    StageSeconds seconds;
+};
+
+struct MeshResult
+{
+    Mesh mesh;
+    MeshReport report;
+};
+
+/// Called after each stage of the paper's Fig. 2 with what a picture needs; see io/stage_pictures.
+struct StageObserver
+{
+    virtual ~StageObserver() = default;
+    virtual void initialRectangle(const InitialRectangle& rectangle) = 0;
+    virtual void pointsInserted(const Triangulation&, const InitialRectangle&) = 0;
+    virtual void beforeRecovery(const Triangulation&, std::span<const ConstraintEnds>) = 0;
+    virtual void recovered(const RecoveryResult&) = 0;
+    virtual void outsideRemoved(const RecoveryResult&, const RegionMap&) = 0;
+    virtual void optimized(const Mesh&) = 0;
+    /// Wanted in addition: each Steiner insertion and deletion (Fig. 1); null if not.
+    virtual RecoveryObserver* recoveryObserver() { return nullptr; }
+};
+
+/// The stages in order: arrange, sample, triangulate, recover, color, refine, optimize, extract
+/// (paper, Algorithm 1). Each is also callable alone. Throws Error; on failure nothing is left.
+MeshResult meshNetwork(const CurveNetwork& network, const MeshOptions& options,
+                       Execution& execution, StageObserver* stages = nullptr);
+
+/// As above with a size field of the caller's instead of options.size.
+MeshResult meshNetwork(const CurveNetwork& network, const SizeField& size,
+                       const MeshOptions& options, Execution& execution,
+                       StageObserver* stages = nullptr);
+
+} // namespace tessera

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/execution.h"
+#include "curve/curve_network.h"
+#include "recover/recover.h"
+#include "region/region.h"
+#include "sizing/size_field.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tessera
+{
+
+/// A subsegment during refinement and optimization: it may be split, its halves keep the uses.
+struct ConstrainedEdge
+{
+    std::uint32_t a;
+    std::uint32_t b;
+    std::uint32_t useSet;    ///< index of the recovered subsegment that it is part of
+    const Curve* geometry;   ///< of the representative curve; null: straight
+    double ta = 0.0;         ///< parameters of a and b on it
+    double tb = 0.0;
+};
+
+/// The triangulation that refine and optimize work on.
+struct WorkingMesh
+{
+    Triangulation triangulation;
+    std::vector<VertexOrigin> origin;             ///< by vertex
+    std::vector<std::uint32_t> regionOfTriangle;  ///< by triangle slot; kOutside if not kept
+    std::vector<ConstrainedEdge> edges;           ///< all constrained edges
+
+    static constexpr std::uint32_t kOutside = 0xffffffffU;
+};
+
+/// A target that was not met, and where.
+struct Unreached
+{
+    std::string what; ///< "min_angle", "size"
+    Vec2 place;
+    double value;     ///< what was reached
+    double target;
+};
+
+struct RefineOptions
+{
+    double minAngle = 30.0;        ///< degrees, 0..33
+    double maxArea = 0.0;          ///< 0: none
+    bool freezeBoundary = false;   ///< constrained edges may not be split
+    std::vector<double> regionMaxArea; ///< by region; 0: none
+};
+
+struct RefineReport
+{
+    std::size_t interiorPoints = 0;
+    std::size_t segmentSplits = 0;
+    std::vector<Unreached> unreached;
+};
+
+/// Inserts interior points (paper, Algorithm 1, step 3) by the size field, then refines by Delaunay
+/// refinement what is left, inside the kept regions.
+RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
+                    Execution& execution);
+
+} // namespace tessera

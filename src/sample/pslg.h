@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/ids.h"
+#include "base/vec2.h"
+#include "curve/curve_network.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace tessera
+{
+
+/// One straight piece of a sampled curve: a constraint of the triangulation. Its index is its
+/// ConstraintId.
+struct PslgSegment
+{
+    PointId a;
+    PointId b;
+    CurveId curve;
+    double ta = 0.0; ///< parameters of a and b on the curve's geometry; unused for a null geometry
+    double tb = 0.0;
+};
+
+/// Planar straight-line graph, raw: its segments may still cross, overlap and touch. Points
+/// 0 .. network.points.size() - 1 are the network's, in order; samples follow.
+struct Pslg
+{
+    std::vector<Vec2> points;
+    std::vector<PslgSegment> segments;
+};
+
+} // namespace tessera
