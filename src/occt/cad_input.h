@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/error.h"
+#include "curve/curve_network.h"
+#include "occt/plane_frame.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tessera
+{
+
+/// What edges that belong to no face become.
+enum class LooseEdges : std::uint8_t
+{
+    ByChain,    ///< closed chains boundary, open chains constraint
+    Boundary,   ///< all boundary
+    Constraint, ///< all constraint
+    Ignored,    ///< none; only faces are meshed
+};
+
+/// How a shape becomes a CurveNetwork.
+struct CadOptions
+{
+    /// The plane to work in; none: the shape's own (the global x-y axes if it is parallel to them).
+    std::optional<PlaneFrame> plane;
+    LooseEdges looseEdges = LooseEdges::ByChain;
+    /// Operands are called name, or name_Face3 if there are several; empty: "Face3", "Edges".
+    std::string name;
+    /// Names of the edge groups by edge number - 1; missing or empty: "Edge7", or "name_Edge7".
+    std::vector<std::string> edgeNames;
+    /// Names of the node groups of loose vertices by vertex number - 1; missing or empty: none.
+    std::vector<std::string> vertexNames;
+    /// Edge numbers (from 1) whose role is set by the caller.
+    std::vector<std::pair<std::uint32_t, Role>> edgeRoles;
+};
+
+/// The curves of a shape. NetworkCurve::source is the edge number from 1, as FreeCAD counts
+/// ("Edge7"); CurveNetwork::curveNames is filled.
+struct CadInput
+{
+    CurveNetwork network;
+    PlaneFrame frame;         ///< where the network's plane lies in space
+    double defaultWeld = 0.0; ///< max(20 x greatest vertex tolerance, 1e-7 x diagonal)
+};
+
+/// A refused shape: places()[i] belongs to the edge edges()[i], 0 if to none. Positions are in the
+/// plane of the network where there is one already, else the x and y of space.
+class CadError: public Error
+{
+public:
+    CadError(ErrorKind kind, const std::string& message, std::vector<ErrorPlace> places = {},
+             std::vector<std::uint32_t> edges = {})
+        : Error(kind, message, std::move(places))
+        , edges_(std::move(edges))
+    {}
+
+    const std::vector<std::uint32_t>& edges() const noexcept { return edges_; }
+
+private:
+    std::vector<std::uint32_t> edges_;
+};
+
+} // namespace tessera
