@@ -5,6 +5,7 @@
 #include "curve/curve_network.h"
 #include "delaunay/delaunay.h"
 #include "mesh/mesh.h"
+#include "mesh/quality.h"
 #include "recover/recover.h"
 #include "refine/refine.h"
 #include "region/region.h"
@@ -43,16 +44,6 @@ struct StageSeconds
 {
     double read = 0, arrange = 0, sample = 0, triangulate = 0, recover = 0, color = 0, refine = 0,
            optimize = 0, extract = 0, write = 0, total = 0;
-};
-
-/// Quality of the triangles; angles in degrees, q = 4 sqrt(3) area / sum of squared edges.
-struct QualityReport
-{
-    double minAngle = 0, maxAngle = 0, angleP01 = 0, minQuality = 0, meanQuality = 0;
-    struct Conformity
-    {
-        double min = 0, p05 = 0, median = 0, p95 = 0, max = 0;
-    } sizeConformity; ///< edge length / h at its middle
 };
 
 struct MeshReport

@@ -39,13 +39,16 @@ struct Mesh
     /// Index into regions.
     std::vector<std::uint32_t> triangleRegion;
 
-    /// Edges on constraints.
+    /// Edges on constraints; those on the outline have the kept side to their left, the others run
+    /// as their first curve does.
     std::vector<std::array<std::uint32_t, 2>> edges;
+    std::vector<std::uint8_t> edgeIsOutline; ///< 1: only one triangle has this edge
     /// The curves each edge lies on: edgeCurves[edgeCurveStart[e] .. edgeCurveStart[e + 1]).
     std::vector<std::uint32_t> edgeCurveStart;
     std::vector<CurveId> edgeCurves;
 
-    /// Order 2 only: mid nodes opposite corner 0, 1, 2 lie on edges (1,2), (2,0), (0,1).
+    /// Order 2 only: entry i is the node in the middle of the edge opposite corner i. Mid nodes
+    /// follow the corner nodes in nodes.
     std::vector<std::array<std::uint32_t, 3>> triangleMidNodes;
     std::vector<std::uint32_t> edgeMidNodes;
 
