@@ -21,6 +21,8 @@ enum class Role : std::uint8_t
     Constraint, ///< kept in the mesh, separates nothing
     Outline,    ///< of its component only the outer outline is boundary, the rest constraint; a
                 ///< component is what such curves of one operand join
+    Chain,      ///< boundary if it lies on a closed chain of such curves of its operand, otherwise
+                ///< constraint; arrange() decides, once end points are welded
     Ignored,    ///< not meshed
 };
 
@@ -67,6 +69,9 @@ struct RegionPoint
 struct Operand
 {
     std::string name; ///< sketch label, file name with line, ...
+    /// The input says which loops are holes (inner wires of a face, inner rings of a POLYGON), so
+    /// that the user need not be told that loops inside others became holes.
+    bool declaresHoles = false;
 };
 
 /// A point that becomes a node whatever the curves do.

@@ -27,11 +27,16 @@ struct Region
 struct RegionMap
 {
     std::vector<RegionId> regionOfTriangle; ///< invalid for ghost and dead triangles
+    /// In the order of their lowest triangle, but [0], always there, is the outer one: its triangles
+    /// lie between the outlines and the convex hull.
     std::vector<Region> regions;
     /// By subsegment: it separates (Role::Boundary after Outline has been resolved).
     std::vector<std::uint8_t> isBoundary;
     std::size_t keptRegions = 0;       ///< connected kept faces
-    std::size_t loopsMadeHoles = 0;    ///< loops inside others that even-odd turned into holes
+    /// Loops inside others, or parts where loops overlap, that even-odd turned into holes although
+    /// neither the operand (declaresHoles) nor a hole point said so.
+    std::size_t loopsMadeHoles = 0;
+    std::vector<std::string> messages; ///< for the user
 };
 
 /// Marks the elements at the initial rectangle's corners as outer (paper, section 3, step 1): with

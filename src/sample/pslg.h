@@ -6,6 +6,7 @@
 #include "curve/curve_network.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace tessera
@@ -28,6 +29,7 @@ struct Pslg
 {
     std::vector<Vec2> points;
     std::vector<PslgSegment> segments;
+    std::vector<std::string> messages; ///< for the user: curves that were dropped
 };
 
 } // namespace tessera

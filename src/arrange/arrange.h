@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/error.h"
+#include "base/execution.h"
+#include "curve/curve_network.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tessera
+{
+
+struct ArrangeOptions
+{
+    /// End points closer than this become one, in the input's unit; >= 0. 0: none are moved.
+    double weld = 0.0;
+};
+
+struct ArrangeReport
+{
+    std::size_t welded = 0; ///< points that were joined to another one
+    /// Chains of points within the tolerance that reach farther than twice the tolerance and were
+    /// therefore left alone; one place each.
+    std::vector<ErrorPlace> chainsLeft;
+    /// By curve of the result: the input curve it is (a piece of).
+    std::vector<CurveId> parent;
+    /// By point of the input: its point in the result, invalid if nothing uses it.
+    std::vector<PointId> pointOf;
+    std::vector<std::string> messages; ///< for the user
+};
+
+/// Welds end points, settles Role::Chain and leaves out the points that no curve of a role other
+/// than Ignored and no embedded point uses. Validates the network first: throws
+/// Error(InvalidInput); Error(InvalidOption) for a tolerance that is negative or not finite.
+CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
+                     ArrangeReport& report, Execution& execution);
+
+} // namespace tessera
