@@ -11,16 +11,18 @@
 namespace tessera
 {
 
-/// What an edge of a graph is for closing loops.
+/// What an edge of a graph does for closing loops.
 enum class EdgeClass : std::uint8_t
 {
-    Loop,      ///< zero length or repeats an earlier edge (only when duplicates count once)
-    Dangling,  ///< in a tree that hangs off the rest, or a component that is a tree
-    Bridge,    ///< joins two parts that hold cycles, is on no cycle itself
-    Even,      ///< in a component in which every vertex has even degree: closed chains
-    Odd,       ///< in a component with cycles and a vertex of odd degree
+    Loop,     ///< both ends at one vertex
+    Repeated, ///< joins the same vertices as an earlier edge; only with duplicatesOnce
+    Dangling, ///< in a tree that hangs off the rest, or in a component that is a tree
+    Bridge,   ///< on no cycle, but joins parts that have cycles; only with cutBridges
+    Even,     ///< in a component in which every degree is even: closed chains
+    Odd,      ///< in a component with cycles and a vertex of odd degree
 };
 
+/// An edge between two vertices, by number.
 struct GraphEdge
 {
     std::uint32_t a;
@@ -30,18 +32,19 @@ struct GraphEdge
 /// How classifyEdges() treats repeated edges and bridges.
 struct EdgeClassOptions
 {
-    bool duplicatesOnce = false; ///< later edges between the same vertices are Loop, not counted
-    bool cutBridges = false;     ///< bridges are left out before degrees and components are looked at
+    bool duplicatesOnce = false; ///< repeated edges count once; the later ones are Repeated
+    bool cutBridges = false;     ///< bridges are cut before components and degrees are looked at
 };
 
 struct EdgeClasses
 {
-    std::vector<EdgeClass> classOf;         ///< by edge
-    std::vector<std::uint32_t> component;   ///< by edge; of Even and Odd edges, else meaningless
+    std::vector<EdgeClass> classOf; ///< by edge
+    /// By edge: a number that the Even or Odd edges of one component share; else meaningless.
+    std::vector<std::uint32_t> component;
 };
 
-/// Peels dangling trees off (and bridges, if asked), then looks at the degrees of each remaining
-/// component. Vertices are any numbers below vertexCount. O(edges + vertices).
+/// Peels dangling trees off (and cuts bridges, if asked), then looks at the degrees of what remains
+/// of each component. Vertex numbers are below vertexCount. O(edges log edges + vertices).
 EdgeClasses classifyEdges(std::span<const GraphEdge> edges, std::size_t vertexCount,
                           EdgeClassOptions options);
 
@@ -50,8 +53,9 @@ EdgeClasses classifyEdges(std::span<const GraphEdge> edges, std::size_t vertexCo
 /// get Role::Outline. Repeated and zero-length segments become constraints.
 void assignPolyRoles(CurveNetwork& network, OperandId operand);
 
-/// Settles every Role::Chain: a curve on a closed chain becomes Boundary (or Outline where chains
-/// branch with odd degree), one on no closed chain a Constraint. By point index, so weld first.
+/// Settles every Role::Chain: a curve on a closed chain becomes Boundary (Outline where chains
+/// branch so that degrees are odd), one on no closed chain a Constraint. By point index, so weld
+/// end points first.
 void settleChainRoles(CurveNetwork& network);
 
 } // namespace tessera
