@@ -27,16 +27,16 @@ enum class LooseEdges : std::uint8_t
 struct CadOptions
 {
     /// The plane to work in; none: the shape's own (the global x-y axes if it is parallel to them).
-    std::optional<PlaneFrame> plane;
+    std::optional<PlaneFrame> plane {};
     LooseEdges looseEdges = LooseEdges::ByChain;
     /// Operands are called name, or name_Face3 if there are several; empty: "Face3", "Edges".
-    std::string name;
+    std::string name {};
     /// Names of the edge groups by edge number - 1; missing or empty: "Edge7", or "name_Edge7".
-    std::vector<std::string> edgeNames;
+    std::vector<std::string> edgeNames {};
     /// Names of the node groups of loose vertices by vertex number - 1; missing or empty: none.
-    std::vector<std::string> vertexNames;
+    std::vector<std::string> vertexNames {};
     /// Edge numbers (from 1) whose role is set by the caller.
-    std::vector<std::pair<std::uint32_t, Role>> edgeRoles;
+    std::vector<std::pair<std::uint32_t, Role>> edgeRoles {};
 };
 
 /// The curves of a shape. NetworkCurve::source is the edge number from 1, as FreeCAD counts
