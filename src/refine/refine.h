@@ -39,7 +39,7 @@ struct WorkingMesh
 /// A target that was not met, and where.
 struct Unreached
 {
-    std::string what; ///< "min_angle", "size"
+    std::string what; ///< "min_angle", "max_area"
     Vec2 place;
     double value;     ///< what was reached
     double target;
@@ -61,8 +61,19 @@ struct RefineReport
 };
 
 /// Inserts interior points (paper, Algorithm 1, step 3) by the size field, then refines by Delaunay
-/// refinement what is left, inside the kept regions.
+/// refinement what is left, inside the kept regions. Where the constrained edges are finer than the
+/// size field, sizes grow from theirs. Constrained edges are split on their curves only.
+/// Guarantees, for input angles of at least 60 degrees: no angle below minAngle except those listed
+/// in report.unreached (20.7 degrees in theory, see delaunay_refinement.cpp). Ends for any input.
 RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
                     Execution& execution);
+
+/// Number of triangles that refine() will make, estimated from the integral of 1/h² over the kept
+/// triangles; within about 20 % where the field is smooth. Stops counting at 1e12.
+double estimateTriangles(const WorkingMesh& mesh, const SizeField& size);
+
+/// What a finished mesh does not reach: angles below options.minAngle ("min_angle", degrees) and
+/// areas above the limits ("max_area"), worst first, at the triangles' centroids.
+std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options);
 
 } // namespace tessera

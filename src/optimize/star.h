@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/vec2.h"
+#include "delaunay/triangulation.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+namespace tessera
+{
+
+/// Squared sine of the smallest angle of a triangle, 0 .. 0.75, rounded; negative if clockwise. It
+/// orders triangles as their smallest angle does, without a root.
+inline double squaredSineOfSmallest(Vec2 a, Vec2 b, Vec2 c)
+{
+    const double ab = squaredLength(b - a);
+    const double bc = squaredLength(c - b);
+    const double ca = squaredLength(a - c);
+    const double twiceArea = cross(b - a, c - a);
+    const double shortest = std::min({ab, bc, ca});
+    const double product = ab * bc * ca;
+    return product > 0.0 ? twiceArea * std::abs(twiceArea) * shortest / product : 0.0;
+}
+
+/// The ring of vertices around an interior vertex, counter-clockwise.
+class Star
+{
+public:
+    static constexpr int kMost = 48;
+
+    /// False if the vertex has more neighbors than fit or a ghost triangle.
+    bool gather(const Triangulation& t, std::uint32_t vertex)
+    {
+        count_ = 0;
+        center_ = vertex;
+        const HalfEdge first = t.incident[vertex];
+        if (first == Topology::kDead) {
+            return false;
+        }
+        HalfEdge h = first;
+        do {
+            const std::uint32_t neighbor = t.destination(h);
+            if (count_ == kMost || neighbor == Topology::kInfinite) {
+                return false;
+            }
+            edge_[count_] = h;
+            vertex_[count_] = neighbor;
+            ring_[count_++] = t.points[neighbor];
+            h = t.nextAround(h);
+        } while (h != first);
+        return true;
+    }
+
+    std::uint32_t center() const { return center_; }
+    int count() const { return count_; }
+    HalfEdge edge(int i) const { return edge_[i]; } ///< from the center to vertex(i)
+    std::uint32_t vertex(int i) const { return vertex_[i]; }
+    Vec2 ring(int i) const { return ring_[i]; }
+    int after(int i) const { return i + 1 == count_ ? 0 : i + 1; }
+
+    Vec2 average() const
+    {
+        Vec2 sum;
+        for (int i = 0; i < count_; ++i) {
+            sum = sum + ring_[i];
+        }
+        return (1.0 / count_) * sum;
+    }
+    /// Smallest over the triangles of squaredSineOfSmallest with the center at p; stops early
+    /// below the given bound.
+    double quality(Vec2 p, double bound = -1.0) const
+    {
+        double worst = 1.0;
+        Vec2 previous = ring_[count_ - 1];
+        for (int i = 0; i < count_; ++i) {
+            worst = std::min(worst, squaredSineOfSmallest(p, previous, ring_[i]));
+            if (worst <= bound) {
+                return worst;
+            }
+            previous = ring_[i];
+        }
+        return worst;
+    }
+    /// As quality() after the center has been merged into ring vertex target.
+    double qualityWithout(int target, double bound = -1.0) const
+    {
+        double worst = 1.0;
+        for (int i = after(target); after(i) != target; i = after(i)) {
+            worst = std::min(worst,
+                             squaredSineOfSmallest(ring_[target], ring_[i], ring_[after(i)]));
+            if (worst <= bound) {
+                return worst;
+            }
+        }
+        return worst;
+    }
+    double squaredLengthTo(int i, Vec2 p) const { return squaredLength(ring_[i] - p); }
+
+private:
+    std::uint32_t center_ = 0;
+    int count_ = 0;
+    HalfEdge edge_[kMost];
+    std::uint32_t vertex_[kMost];
+    Vec2 ring_[kMost];
+};
+
+} // namespace tessera

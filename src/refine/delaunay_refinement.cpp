@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: MIT
+//
+// Delaunay refinement after Ruppert (1995) and Shewchuk (2002), with off-centers (Üngör 2004) and
+// the treatment of small input angles by Miller, Pav and Walkington (2003).
+//
+// A bad triangle gets its circumcenter or off-center; if that point cannot be seen from the
+// triangle or lies in the diametral circle of a constrained edge, the edge is split instead.
+// Constrained edges are split lazily: an obtuse triangle on an edge is no reason if its angles are
+// good. Edges at an apex of less than 60 degrees are split on concentric shells (distances that are
+// powers of two), and a triangle whose shortest edge joins two such edges is left alone: with that
+// Ruppert's argument for termination holds for any input angles.
+//
+// Guarantees: ends always: beside the argument above no constrained edge is split below
+// kSmallestPiece of the size there, and the number of insertions is bounded by a multiple of the
+// estimated number of triangles. For input angles of at least 60 degrees and gaps above that floor
+// no angle below 20.7 degrees remains in theory (Ruppert), 30 in practice; what remains is listed
+// by collectUnreached(). Complexity: O(m log m) for m insertions.
+
+#include "refine/delaunay_refinement.h"
+
+#include "predicates/predicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <queue>
+
+namespace tessera
+{
+
+namespace
+{
+
+constexpr double kSmallestPiece = 1.0 / 64.0; ///< of the size, for pieces of constrained edges
+constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
+constexpr double kAcuteAngle = std::numbers::pi / 3.0;
+constexpr std::size_t kCheckpointEvery = 256;
+
+double squaredDistance(Vec2 a, Vec2 b)
+{
+    return squaredLength(b - a);
+}
+
+double nearestPowerOfTwo(double x)
+{
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    return std::ldexp(1.0, mantissa * mantissa < 0.5 ? exponent - 1 : exponent);
+}
+
+/// Corners in order, so that the edge opposite corner 0 is the shortest.
+struct Shape
+{
+    std::uint32_t v[3];
+    Vec2 p[3];
+    double squared[3]; ///< edge opposite each corner
+    double area;
+
+    double cosineOfSmallest() const
+    {
+        return (squared[1] + squared[2] - squared[0]) / (2.0 * std::sqrt(squared[1] * squared[2]));
+    }
+    double circumradius() const
+    {
+        return std::sqrt(squared[0] * squared[1] * squared[2]) / (4.0 * area);
+    }
+};
+
+Shape shapeOf(const Triangulation& t, std::uint32_t triangle)
+{
+    const auto& v = t.triangles[triangle].v;
+    double squared[3];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        squared[i] = squaredDistance(t.points[v[(i + 1) % 3]], t.points[v[(i + 2) % 3]]);
+    }
+    const std::uint32_t first = static_cast<std::uint32_t>(
+        std::min_element(squared, squared + 3) - squared);
+    Shape s;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        s.v[i] = v[(first + i) % 3];
+        s.p[i] = t.points[s.v[i]];
+        s.squared[i] = squared[(first + i) % 3];
+    }
+    s.area = 0.5 * cross(s.p[1] - s.p[0], s.p[2] - s.p[0]);
+    return s;
+}
+
+struct BadTriangle
+{
+    double badness; ///< cosine of the smallest angle
+    std::uint32_t triangle;
+    std::uint32_t v[3];
+
+    friend bool operator<(const BadTriangle& a, const BadTriangle& b)
+    {
+        return a.badness != b.badness ? a.badness < b.badness : a.triangle > b.triangle;
+    }
+};
+
+class DelaunayRefiner
+{
+public:
+    DelaunayRefiner(MeshEditor& editor, const SizeField& size, const RefineOptions& options,
+                    RefineReport& report, Execution& execution)
+        : editor_(editor)
+        , t_(editor.triangulation())
+        , size_(size)
+        , options_(options)
+        , report_(report)
+        , execution_(execution)
+        , cosineLimit_(std::cos(options.minAngle * std::numbers::pi / 180.0))
+    {}
+
+    void run()
+    {
+        findAcuteApexes();
+        const double estimate = estimateTriangles(editor_.mesh(), size_);
+        workLeft_ = 20.0 * estimate + 200.0 * static_cast<double>(editor_.mesh().edges.size())
+            + 10.0 * static_cast<double>(t_.triangles.size()) + 1000.0;
+        const double workTotal = workLeft_;
+        for (std::uint32_t triangle = 0; triangle < t_.triangles.size(); ++triangle) {
+            judge(triangle);
+        }
+        std::size_t steps = 0;
+        while ((!large_.empty() || !skinny_.empty()) && workLeft_ > 0.0) {
+            if (++steps % kCheckpointEvery == 0) {
+                execution_.report(1.0 - workLeft_ / workTotal);
+            }
+            const bool isLarge = !large_.empty();
+            const BadTriangle bad = isLarge ? large_.back() : skinny_.top();
+            isLarge ? large_.pop_back() : skinny_.pop();
+            if (isCurrent(bad)) {
+                workLeft_ -= 1.0;
+                improve(bad, isLarge);
+            }
+        }
+    }
+
+private:
+    bool isCurrent(const BadTriangle& bad) const
+    {
+        const auto& v = t_.triangles[bad.triangle].v;
+        return v[0] == bad.v[0] && v[1] == bad.v[1] && v[2] == bad.v[2]
+            && editor_.isKept(bad.triangle);
+    }
+
+    /// Queues the triangle if it is too large or skinny.
+    void judge(std::uint32_t triangle)
+    {
+        if (!editor_.isKept(triangle) || !t_.isFinite(triangle)) {
+            return;
+        }
+        const Shape s = shapeOf(t_, triangle);
+        const auto& v = t_.triangles[triangle].v;
+        BadTriangle bad {s.cosineOfSmallest(), triangle, {v[0], v[1], v[2]}};
+        if (isTooLarge(s, triangle)) {
+            large_.push_back(bad);
+        }
+        else if (bad.badness > cosineLimit_ && !isExempt(s)) {
+            skinny_.push(bad);
+        }
+    }
+
+    bool isTooLarge(const Shape& s, std::uint32_t triangle) const
+    {
+        double areaLimit = options_.maxArea;
+        const std::uint32_t region = editor_.mesh().regionOfTriangle[triangle];
+        if (region < options_.regionMaxArea.size() && options_.regionMaxArea[region] > 0.0) {
+            areaLimit = areaLimit > 0.0 ? std::min(areaLimit, options_.regionMaxArea[region])
+                                        : options_.regionMaxArea[region];
+        }
+        if (areaLimit > 0.0 && s.area > areaLimit) {
+            return true;
+        }
+        const Vec2 center = (1.0 / 3.0) * (s.p[0] + s.p[1] + s.p[2]);
+        const double limit = kLargestRadius * size_.size(center);
+        // Of flat and of needle triangles the radius says nothing about size: they are skinny.
+        const double squaredLimit = limit * limit;
+        return s.squared[0] * 16.0 > squaredLimit && s.squared[1] > squaredLimit
+            && s.squared[2] > squaredLimit && s.circumradius() > limit;
+    }
+
+    /// Marks the vertices at which two constrained edges make less than 60 degrees with kept
+    /// triangles in between.
+    void findAcuteApexes()
+    {
+        isAcute_.assign(t_.points.size(), 0);
+        for (const ConstrainedEdge& edge : editor_.mesh().edges) {
+            for (const std::uint32_t v : {edge.a, edge.b}) {
+                if (isAcute_[v] == 0) {
+                    isAcute_[v] = hasAcuteWedge(v) ? 2 : 1;
+                }
+            }
+        }
+    }
+
+    bool hasAcuteWedge(std::uint32_t v) const
+    {
+        const HalfEdge first = t_.incident[v];
+        HalfEdge start = first;
+        while (!t_.isConstrained(start)) {
+            start = t_.nextAround(start);
+            if (start == first) {
+                return false;
+            }
+        }
+        double wedge = 0.0;
+        HalfEdge h = start;
+        do {
+            const HalfEdge following = t_.nextAround(h);
+            const std::uint32_t triangle = Topology::triangleOf(h);
+            if (editor_.isKept(triangle)) {
+                wedge += angleAt(v, t_.destination(h), t_.destination(following));
+                if (t_.isConstrained(following) && wedge < kAcuteAngle - 1e-9) {
+                    return true;
+                }
+            }
+            if (t_.isConstrained(following)) {
+                wedge = 0.0;
+            }
+            h = following;
+        } while (h != start);
+        return false;
+    }
+
+    double angleAt(std::uint32_t apex, std::uint32_t a, std::uint32_t b) const
+    {
+        const Vec2 u = t_.points[a] - t_.points[apex];
+        const Vec2 w = t_.points[b] - t_.points[apex];
+        return std::fabs(std::atan2(cross(u, w), dot(u, w)));
+    }
+
+    bool isAcuteApex(std::uint32_t v) const { return v < isAcute_.size() && isAcute_[v] == 2; }
+
+    /// The smallest angle is an input angle, or the shortest edge runs between two constrained
+    /// edges that meet at less than 60 degrees: refinement cannot help.
+    bool isExempt(const Shape& s) const
+    {
+        if (editor_.findRecord(s.v[0], s.v[1]) != MeshEditor::kNone
+            && editor_.findRecord(s.v[0], s.v[2]) != MeshEditor::kNone) {
+            return true;
+        }
+        const std::uint32_t r = editor_.rootOfVertex(s.v[1]);
+        const std::uint32_t q = editor_.rootOfVertex(s.v[2]);
+        if (r == MeshEditor::kNone || q == MeshEditor::kNone || r == q) {
+            return false;
+        }
+        for (const std::uint32_t apex : {editor_.rootStart(r), editor_.rootEnd(r)}) {
+            if ((apex == editor_.rootStart(q) || apex == editor_.rootEnd(q))
+                && isAcuteApex(apex) && angleAt(apex, s.v[1], s.v[2]) < kAcuteAngle) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Circumcenter; for skinny triangles the nearer of it and the off-center on the bisector of
+    /// the shortest edge.
+    Vec2 newPoint(const Shape& s, bool isLarge) const
+    {
+        const Vec2 b = s.p[1] - s.p[0];
+        const Vec2 c = s.p[2] - s.p[0];
+        const double scale = 0.5 / cross(b, c);
+        const Vec2 center = s.p[0]
+            + Vec2 {scale * (c.y * s.squared[2] - b.y * s.squared[1]),
+                    scale * (b.x * s.squared[1] - c.x * s.squared[2])};
+        if (isLarge) {
+            return center;
+        }
+        const Vec2 middle = midpoint(s.p[1], s.p[2]);
+        const Vec2 toCenter = center - middle;
+        const double shortest = std::sqrt(s.squared[0]);
+        // Distance at which the new triangle on the shortest edge has the wanted angle and a bit.
+        const double angle = std::max(options_.minAngle, 20.0) * std::numbers::pi / 180.0;
+        const double wanted = 0.5 * shortest / std::tan(0.5 * angle) * 0.95;
+        const double far = length(toCenter);
+        return far > wanted && dot(toCenter, s.p[0] - middle) > 0.0
+            ? middle + (wanted / far) * toCenter
+            : center;
+    }
+
+    void improve(const BadTriangle& bad, bool isLarge)
+    {
+        const Shape s = shapeOf(t_, bad.triangle);
+        const Vec2 p = newPoint(s, isLarge);
+        if (!isFinite(p)) {
+            return;
+        }
+        const VisibleWalk found = editor_.walk(Topology::halfEdge(bad.triangle, 0), p);
+        encroached_.clear();
+        if (found.kind != VisibleWalk::Kind::Lost
+            && found.location.kind == Location::Kind::Edge
+            && t_.isConstrained(found.location.edge)) {
+            encroached_.emplace_back(t_.origin(found.location.edge),
+                                     t_.destination(found.location.edge));
+        }
+        else if (found.kind == VisibleWalk::Kind::Reached
+                 && found.location.kind != Location::Kind::Vertex) {
+            collectEncroached(p, found.location);
+            if (encroached_.empty()) {
+                const std::uint32_t v = editor_.insertInside(p, found.location);
+                ++report_.interiorPoints;
+                judgeStar(v);
+                return;
+            }
+        }
+        bool anySplit = false;
+        for (std::size_t i = 0; i < encroached_.size(); ++i) {
+            const HalfEdge edge = t_.findEdge(encroached_[i].first, encroached_[i].second);
+            if (edge != Topology::kDead && t_.isConstrained(edge)) {
+                anySplit = split(edge) || anySplit;
+            }
+        }
+        if (anySplit && isCurrent(bad)) {
+            judge(bad.triangle);
+        }
+    }
+
+    void judgeStar(std::uint32_t v)
+    {
+        t_.forEachAround(v, [&](HalfEdge h) { judge(Topology::triangleOf(h)); });
+    }
+
+    /// The constrained edges around the conflict region of p whose diametral circle contains p.
+    void collectEncroached(Vec2 p, const Location& where)
+    {
+        region_.assign(1, Topology::triangleOf(where.edge));
+        if (where.kind == Location::Kind::Edge) {
+            region_.push_back(Topology::triangleOf(t_.twin(where.edge)));
+        }
+        for (std::size_t i = 0; i < region_.size(); ++i) {
+            for (std::uint32_t side = 0; side < 3; ++side) {
+                const HalfEdge h = Topology::halfEdge(region_[i], side);
+                const Vec2 a = t_.points[t_.origin(h)];
+                const Vec2 b = t_.points[t_.destination(h)];
+                if (t_.isConstrained(h)) {
+                    if (dot(a - p, b - p) < 0.0) {
+                        encroached_.emplace_back(t_.origin(h), t_.destination(h));
+                    }
+                    continue;
+                }
+                const std::uint32_t neighbor = Topology::triangleOf(t_.twin(h));
+                if (t_.isGhost(neighbor)
+                    || std::find(region_.begin(), region_.end(), neighbor) != region_.end()) {
+                    continue;
+                }
+                const auto& v = t_.triangles[neighbor].v;
+                if (incircle(t_.points[v[0]], t_.points[v[1]], t_.points[v[2]], p) > 0) {
+                    region_.push_back(neighbor);
+                }
+            }
+        }
+    }
+
+    /// Splits a constrained edge in the middle, or on the shell around an acute apex.
+    bool split(HalfEdge edge)
+    {
+        if (options_.freezeBoundary) {
+            return false;
+        }
+        const std::uint32_t a = t_.origin(edge);
+        const std::uint32_t b = t_.destination(edge);
+        const double whole = distance(t_.points[a], t_.points[b]);
+        double fraction = 0.5;
+        if (isAcuteApex(a) != isAcuteApex(b)) {
+            fraction = nearestPowerOfTwo(0.5 * whole) / whole; // 0.35 .. 0.71
+            if (isAcuteApex(b)) {
+                edge = t_.twin(edge);
+            }
+        }
+        const double piece = std::min(fraction, 1.0 - fraction) * whole;
+        const Vec2 middle = midpoint(t_.points[a], t_.points[b]);
+        if (piece < kSmallestPiece * size_.size(middle)) {
+            return false;
+        }
+        const std::uint32_t v = editor_.splitEdge(edge, fraction);
+        if (v == MeshEditor::kNone) {
+            return false;
+        }
+        workLeft_ -= 1.0;
+        ++report_.segmentSplits;
+        judgeStar(v);
+        return true;
+    }
+
+    MeshEditor& editor_;
+    const Triangulation& t_;
+    const SizeField& size_;
+    const RefineOptions& options_;
+    RefineReport& report_;
+    Execution& execution_;
+    double cosineLimit_;
+    double workLeft_ = 0.0;
+    std::vector<std::uint8_t> isAcute_; ///< by vertex: 0 unknown, 1 no, 2 yes
+    std::vector<BadTriangle> large_;
+    std::priority_queue<BadTriangle> skinny_;
+    std::vector<std::uint32_t> region_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> encroached_;
+};
+
+} // namespace
+
+void refineDelaunay(MeshEditor& editor, const SizeField& size, const RefineOptions& options,
+                    RefineReport& report, Execution& execution)
+{
+    DelaunayRefiner(editor, size, options, report, execution).run();
+}
+
+} // namespace tessera

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+//
+// The number of triangles before they are made, and the targets that were missed after.
+//
+// An equilateral triangle of edge h covers sqrt(3)/4 h², so the number is the integral of
+// 4 / (sqrt(3) h²) over the kept area. Each kept triangle is divided into four until the Lipschitz
+// bound says that h changes by less than a half across a part, so that steep fields are not missed.
+
+#include "refine/refine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tessera
+{
+
+namespace
+{
+
+constexpr double kMostTriangles = 1e12;
+constexpr int kDeepest = 40;
+
+class Integral
+{
+public:
+    explicit Integral(const SizeField& size)
+        : size_(size)
+        , gradient_(size.gradientBound())
+    {}
+
+    double sum() const { return sum_; }
+
+    void add(Vec2 a, Vec2 b, Vec2 c, int depth = 0)
+    {
+        const Vec2 center = (1.0 / 3.0) * (a + b + c);
+        const double h = size_.size(center);
+        const double reach
+            = std::max({distance(center, a), distance(center, b), distance(center, c)});
+        const double area = 0.5 * std::fabs(cross(b - a, c - a));
+        const double count = 4.0 / std::numbers::sqrt3 * area / (h * h);
+        // Parts smaller than one triangle count for nothing; h is not divided further there.
+        if (gradient_ * reach < 0.25 * h || count < 0.05 || depth >= kDeepest
+            || sum_ > kMostTriangles) {
+            sum_ += count;
+            return;
+        }
+        const Vec2 ab = midpoint(a, b);
+        const Vec2 bc = midpoint(b, c);
+        const Vec2 ca = midpoint(c, a);
+        add(a, ab, ca, depth + 1);
+        add(ab, b, bc, depth + 1);
+        add(ca, bc, c, depth + 1);
+        add(ab, bc, ca, depth + 1);
+    }
+
+private:
+    const SizeField& size_;
+    double gradient_;
+    double sum_ = 0.0;
+};
+
+double areaLimitOf(const RefineOptions& options, std::uint32_t region)
+{
+    double limit = options.maxArea;
+    if (region < options.regionMaxArea.size() && options.regionMaxArea[region] > 0.0) {
+        limit = limit > 0.0 ? std::min(limit, options.regionMaxArea[region])
+                            : options.regionMaxArea[region];
+    }
+    return limit;
+}
+
+} // namespace
+
+double estimateTriangles(const WorkingMesh& mesh, const SizeField& size)
+{
+    const Triangulation& t = mesh.triangulation;
+    const double uniform = size.uniformSize();
+    Integral integral(size);
+    double area = 0.0;
+    for (std::uint32_t i = 0; i < t.triangles.size(); ++i) {
+        if (!t.isFinite(i) || mesh.regionOfTriangle[i] == WorkingMesh::kOutside) {
+            continue;
+        }
+        const auto& v = t.triangles[i].v;
+        const Vec2 a = t.points[v[0]];
+        const Vec2 b = t.points[v[1]];
+        const Vec2 c = t.points[v[2]];
+        if (uniform > 0.0) {
+            area += 0.5 * cross(b - a, c - a);
+        }
+        else if (integral.sum() <= kMostTriangles) {
+            integral.add(a, b, c);
+        }
+    }
+    const double inside = uniform > 0.0 ? 4.0 / std::numbers::sqrt3 * area / (uniform * uniform)
+                                        : integral.sum();
+    return std::min(inside + static_cast<double>(mesh.edges.size()), kMostTriangles);
+}
+
+std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options)
+{
+    const Triangulation& t = mesh.triangulation;
+    constexpr double degrees = 180.0 / std::numbers::pi;
+    const double cosineLimit = std::cos(options.minAngle / degrees);
+    std::vector<Unreached> angles;
+    std::vector<Unreached> areas;
+    for (std::uint32_t i = 0; i < t.triangles.size(); ++i) {
+        if (!t.isFinite(i) || mesh.regionOfTriangle[i] == WorkingMesh::kOutside) {
+            continue;
+        }
+        const auto& v = t.triangles[i].v;
+        const Vec2 p[3] = {t.points[v[0]], t.points[v[1]], t.points[v[2]]};
+        double squared[3] = {squaredLength(p[2] - p[1]), squaredLength(p[0] - p[2]),
+                             squaredLength(p[1] - p[0])};
+        const double twiceArea = cross(p[1] - p[0], p[2] - p[0]);
+        const Vec2 center = (1.0 / 3.0) * (p[0] + p[1] + p[2]);
+        if (squared[1] < squared[0]) {
+            std::swap(squared[0], squared[1]);
+        }
+        if (squared[2] < squared[0]) {
+            std::swap(squared[0], squared[2]);
+        }
+        const double twiceDot = squared[1] + squared[2] - squared[0];
+        if (twiceDot > 2.0 * cosineLimit * std::sqrt(squared[1] * squared[2])) {
+            angles.push_back({"min_angle", center,
+                              std::atan2(twiceArea, 0.5 * twiceDot) * degrees, options.minAngle});
+        }
+        const double areaLimit = areaLimitOf(options, mesh.regionOfTriangle[i]);
+        if (areaLimit > 0.0 && 0.5 * twiceArea > areaLimit) {
+            areas.push_back({"max_area", center, 0.5 * twiceArea, areaLimit});
+        }
+    }
+    std::stable_sort(angles.begin(), angles.end(),
+                     [](const auto& a, const auto& b) { return a.value < b.value; });
+    std::stable_sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) {
+        return a.value / a.target > b.value / b.target;
+    });
+    angles.insert(angles.end(), areas.begin(), areas.end());
+    return angles;
+}
+
+} // namespace tessera

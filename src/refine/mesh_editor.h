@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "delaunay/delaunay.h"
+#include "refine/refine.h"
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace tessera
+{
+
+/// Where a walk that may not cross constrained edges ended.
+struct VisibleWalk
+{
+    enum class Kind
+    {
+        Reached, ///< location says where the point is
+        Blocked, ///< location.edge is the constrained edge (or hull edge) in between
+        Lost,    ///< too many steps; happens on badly shaped triangles only
+    };
+    Kind kind;
+    Location location;
+};
+
+/// Inserts vertices into a WorkingMesh and keeps its other arrays right: vertex origins, regions by
+/// triangle, records of the constrained edges. After every operation the triangulation is valid
+/// and constrained Delaunay if it was before.
+class MeshEditor
+{
+public:
+    static constexpr std::uint32_t kNone = 0xffffffffU;
+
+    /// Takes the constrained edges of the mesh as roots: pieces remember which one they come from.
+    explicit MeshEditor(WorkingMesh& mesh);
+
+    WorkingMesh& mesh() { return mesh_; }
+    const Triangulation& triangulation() const { return mesh_.triangulation; }
+    bool isKept(std::uint32_t triangle) const
+    {
+        return mesh_.regionOfTriangle[triangle] != WorkingMesh::kOutside;
+    }
+    bool isFree(std::uint32_t vertex) const
+    {
+        return mesh_.origin[vertex] == VertexOrigin::Interior;
+    }
+
+    /// Walks from the triangle of start towards p through edges that are not constrained.
+    VisibleWalk walk(HalfEdge start, Vec2 p) const;
+
+    /// Inserts a free vertex. Precondition: where is a kept triangle or an edge that is not
+    /// constrained inside one region.
+    std::uint32_t insertInside(Vec2 p, const Location& where);
+
+    /// Index into mesh().edges; kNone if the two vertices are not joined by a constrained edge.
+    std::uint32_t findRecord(std::uint32_t a, std::uint32_t b) const;
+
+    /// Splits a constrained edge at the point of its curve whose distance from the edge's origin is
+    /// fraction (0 .. 1) of the chord; a straight edge on the chord. Refuses, changing nothing, and
+    /// returns kNone if something lies between chord and curve or the point coincides with an end.
+    std::uint32_t splitEdge(HalfEdge edge, double fraction);
+
+    /// The original constrained edge that an edge record or a split vertex belongs to.
+    std::uint32_t rootOfVertex(std::uint32_t v) const
+    {
+        return v < rootOfVertex_.size() ? rootOfVertex_[v] : kNone;
+    }
+    std::uint32_t rootOfRecord(std::uint32_t record) const { return rootOfRecord_[record]; }
+    std::uint32_t rootStart(std::uint32_t root) const { return rootEnds_[root].a; }
+    std::uint32_t rootEnd(std::uint32_t root) const { return rootEnds_[root].b; }
+
+private:
+    struct CurvePoint
+    {
+        Vec2 point;
+        double parameter;
+    };
+    struct Ends
+    {
+        std::uint32_t a, b;
+    };
+
+    static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b);
+    CurvePoint pointOnEdge(const ConstrainedEdge& edge, bool fromA, double fraction) const;
+    std::uint32_t insertOnEdge(HalfEdge edge, Vec2 p);
+    std::uint32_t insertBeside(HalfEdge edge, Vec2 p);
+    bool isInConflict(std::uint32_t triangle, Vec2 p) const;
+    void addVertex(std::uint32_t v, VertexOrigin origin);
+    void paintStar(std::uint32_t v, std::uint32_t region);
+    void replaceRecord(std::uint32_t record, std::uint32_t v, double parameter);
+
+    WorkingMesh& mesh_;
+    std::unordered_map<std::uint64_t, std::uint32_t> recordOf_;
+    std::vector<std::uint32_t> rootOfRecord_;
+    std::vector<Ends> rootEnds_;
+    std::vector<std::uint32_t> rootOfVertex_;
+    std::vector<HalfEdge> suspects_;
+};
+
+} // namespace tessera

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+
+#include "refine/refine.h"
+
+#include "refine/delaunay_refinement.h"
+#include "refine/mesh_editor.h"
+
+namespace tessera
+{
+
+RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
+                    Execution& execution)
+{
+    if (!(options.minAngle >= 0.0 && options.minAngle <= 33.0)) {
+        throw Error(ErrorKind::InvalidOption, "The smallest angle must be between 0 and 33 degrees.");
+    }
+    RefineReport report;
+    MeshEditor editor(mesh);
+    refineDelaunay(editor, size, options, report, execution);
+    report.unreached = findUnreached(mesh, options);
+    return report;
+}
+
+} // namespace tessera
