@@ -5,6 +5,7 @@
 #include "curve/curve_network.h"
 #include "occt/plane_frame.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -60,8 +61,12 @@ public:
     {}
 
     const std::vector<std::uint32_t>& edges() const noexcept { return edges_; }
+    /// Index of the shape among several.
+    std::size_t shape() const noexcept { return shape_; }
+    void setShape(std::size_t shape) { shape_ = shape; }
 
 private:
+    std::size_t shape_ = 0;
     std::vector<std::uint32_t> edges_;
 };
 

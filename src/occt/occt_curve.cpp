@@ -2,12 +2,15 @@
 #include "occt/occt_curve.h"
 
 #include "base/error.h"
+#include "curve/arc.h"
 
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_Conic.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <gp_Ax2.hxx>
 
 #include <algorithm>
 #include <string>
@@ -80,12 +83,6 @@ std::vector<OcctCurve::SpanBound> OcctCurve::spanBounds(const Handle(Geom_Curve)
 
 double OcctCurve::secondDerivativeBound(double a, double b) const
 {
-    if (const auto circle = Handle(Geom_Circle)::DownCast(edge_.curve); !circle.IsNull()) {
-        return circle->Radius();
-    }
-    if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(edge_.curve); !ellipse.IsNull()) {
-        return ellipse->MajorRadius();
-    }
     if (spans_.empty()) {
         return Curve::secondDerivativeBound(a, b);
     }
@@ -140,6 +137,34 @@ Vec2 OcctCurve::secondDerivative(double t) const
         edge_.curve->D2(parameter(t), point, first, second);
         return projection_.vector(second);
     });
+}
+
+std::shared_ptr<const Curve> makeCurve(const EdgeCurve& piece, bool reversed,
+                                       const PlaneProjection& projection)
+{
+    if (piece.isLine()) {
+        return nullptr;
+    }
+    double major = 0.0;
+    double minor = 0.0;
+    if (const auto circle = Handle(Geom_Circle)::DownCast(piece.curve); !circle.IsNull()) {
+        major = minor = circle->Radius();
+    }
+    else if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(piece.curve); !ellipse.IsNull()) {
+        major = ellipse->MajorRadius();
+        minor = ellipse->MinorRadius();
+    }
+    if (!(minor > 0.0)) {
+        return std::make_shared<OcctCurve>(piece, reversed, projection);
+    }
+    const gp_Ax2 axes = Handle(Geom_Conic)::DownCast(piece.curve)->Position();
+    const Vec2 u = major * projection.vector(axes.XDirection());
+    const Vec2 v = minor * projection.vector(axes.YDirection());
+    const Vec2 center = projection.point(axes.Location());
+    // Backwards: the parameter's sign turned over, and with it the second axis.
+    return reversed
+        ? std::make_shared<EllipseArc>(center, u, -1.0 * v, -piece.last, -piece.first)
+        : std::make_shared<EllipseArc>(center, u, v, piece.first, piece.last);
 }
 
 } // namespace tessera

@@ -9,6 +9,7 @@
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
 
+#include <memory>
 #include <vector>
 
 namespace tessera
@@ -61,7 +62,7 @@ public:
     Vec2 point(double t) const override;
     Vec2 derivative(double t) const override;
     Vec2 secondDerivative(double t) const override;
-    /// From the control points of the second derivative for B-splines, exact for circles.
+    /// From the control points of the second derivative for B-splines.
     double secondDerivativeBound(double a, double b) const override;
 
 private:
@@ -81,5 +82,11 @@ private:
     PlaneProjection projection_;
     std::vector<SpanBound> spans_; ///< of a B-spline that is not rational; ascending
 };
+
+/// The curve of a piece of an edge in a plane, from its last parameter to its first if reversed: null
+/// for a straight one, an EllipseArc for circles and ellipses (so that equal supporting curves can be
+/// recognized), else an OcctCurve.
+std::shared_ptr<const Curve> makeCurve(const EdgeCurve& piece, bool reversed,
+                                       const PlaneProjection& projection);
 
 } // namespace tessera

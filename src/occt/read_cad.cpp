@@ -161,6 +161,29 @@ CadInput readBrepText(const std::string& text, const CadOptions& options, const 
     return networkFromShape(shapeFromBrep(text, name), options);
 }
 
+std::vector<CadInput> readBrepTexts(std::span<const BrepText> shapes)
+{
+    std::vector<TopoDS_Shape> parsed;
+    for (const BrepText& shape : shapes) {
+        parsed.push_back(shapeFromBrep(shape.text, shape.name));
+    }
+    std::vector<CadInput> inputs;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        CadOptions options = shapes[i].options;
+        options.plane = i > 0                     ? std::optional(inputs.front().frame)
+            : options.plane || shapes.size() == 1 ? options.plane
+                                                  : std::optional(planeOfShapes(parsed));
+        try {
+            inputs.push_back(networkFromShape(parsed[i], options));
+        }
+        catch (CadError& error) {
+            error.setShape(i);
+            throw;
+        }
+    }
+    return inputs;
+}
+
 CadInput readCad(const std::filesystem::path& path, const CadOptions& options)
 {
     std::string extension = path.extension().string();

@@ -4,7 +4,9 @@
 #include "occt/cad_input.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace tessera
 {
@@ -18,5 +20,17 @@ CadInput readCad(const std::filesystem::path& path, const CadOptions& options = 
 /// The same from the text of a .brep file; name is used in messages.
 CadInput readBrepText(const std::string& text, const CadOptions& options = {},
                       const std::string& name = "shape");
+
+/// One of several shapes: the text of a .brep file, how to take it, and its name in messages.
+struct BrepText
+{
+    std::string text;
+    CadOptions options;
+    std::string name = "shape";
+};
+
+/// Several shapes in one plane: options.plane of the first, else the plane of them all together. All
+/// results have the same frame. Throws as above; CadError::shape() says which shape it was.
+std::vector<CadInput> readBrepTexts(std::span<const BrepText> shapes);
 
 } // namespace tessera

@@ -4,6 +4,7 @@
 #include "occt/occt_curve.h"
 #include "occt/shape_plane.h"
 
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
@@ -11,6 +12,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 
 #include <algorithm>
@@ -58,6 +60,7 @@ class ShapeReader
 public:
     ShapeReader(const TopoDS_Shape& shape, const CadOptions& options);
     CadInput read();
+    PlaneFrame plane();
 
 private:
     struct EdgeData
@@ -123,6 +126,14 @@ CadInput ShapeReader::read()
     addLooseEdges();
     applyEdgeRoles();
     return std::move(input_);
+}
+
+PlaneFrame ShapeReader::plane()
+{
+    collectEdges();
+    measure();
+    choosePlane();
+    return input_.frame;
 }
 
 CadError ShapeReader::refusal(const std::string& message, std::vector<std::uint32_t> edges) const
@@ -390,9 +401,7 @@ void ShapeReader::addCurves(const TopoDS_Edge& edge, bool reversed, Role role, O
         const std::size_t i = reversed ? count - 1 - k : k;
         const EdgeCurve& piece = data.pieces[i];
         NetworkCurve curve;
-        if (!piece.isLine()) {
-            curve.geometry = std::make_shared<OcctCurve>(piece, reversed, projection_);
-        }
+        curve.geometry = makeCurve(piece, reversed, projection_);
         curve.start = data.ends[reversed ? i + 1 : i];
         curve.end = data.ends[reversed ? i : i + 1];
         curve.operand = operand;
@@ -457,6 +466,19 @@ void ShapeReader::applyEdgeRoles()
     }
 }
 
+template<class Read>
+auto translated(Read&& read)
+{
+    try {
+        return read();
+    }
+    catch (const Standard_Failure& failure) {
+        throw CadError(ErrorKind::InvalidInput,
+                       std::string("OpenCASCADE cannot use the shape (")
+                           + failure.GetMessageString() + "); check and repair it.");
+    }
+}
+
 } // namespace
 
 CadInput networkFromShape(const TopoDS_Shape& shape, const CadOptions& options)
@@ -465,14 +487,20 @@ CadInput networkFromShape(const TopoDS_Shape& shape, const CadOptions& options)
         throw CadError(ErrorKind::InvalidInput,
                        "The shape is empty; choose a sketch or a planar face.");
     }
-    try {
-        return ShapeReader(shape, options).read();
-    }
-    catch (const Standard_Failure& failure) {
-        throw CadError(ErrorKind::InvalidInput,
-                       std::string("OpenCASCADE cannot use the shape (")
-                           + failure.GetMessageString() + "); check and repair it.");
-    }
+    return translated([&] { return ShapeReader(shape, options).read(); });
+}
+
+PlaneFrame planeOfShapes(std::span<const TopoDS_Shape> shapes)
+{
+    return translated([&] {
+        TopoDS_Compound all;
+        BRep_Builder builder;
+        builder.MakeCompound(all);
+        for (const TopoDS_Shape& shape : shapes) {
+            builder.Add(all, shape);
+        }
+        return ShapeReader(all, {}).plane();
+    });
 }
 
 } // namespace tessera

@@ -180,6 +180,31 @@ TEST(ReadCad, BrepOfOneEdge)
     EXPECT_EQ(input.network.points[1], (Vec2 {5, 0}));
 }
 
+TEST(ReadCad, SeveralShapesShareOnePlane)
+{
+    std::string raised = kOneEdgeBrep;
+    raised.replace(raised.find("\n0 0 0\n"), 7, "\n0 3 4\n").replace(raised.find("\n5 0 0\n"), 7,
+                                                                        "\n5 3 4\n");
+    raised.replace(raised.find("1 0 0 0 1 0 0"), 13, "1 0 3 4 1 0 0");
+    const BrepText low {kOneEdgeBrep, {}, "low"};
+    const BrepText high {raised, {}, "high"};
+    const auto inputs = readBrepTexts(std::vector {low, high});
+    ASSERT_EQ(inputs.size(), 2U);
+    EXPECT_EQ(inputs[0].frame, inputs[1].frame);
+    EXPECT_NEAR(distance(inputs[0].network.points[0], inputs[1].network.points[0]), 5.0, 1e-14);
+
+    BrepText flat = low;
+    flat.options.plane = PlaneFrame {};
+    try {
+        readBrepTexts(std::vector {flat, high});
+        FAIL() << "an edge above the given plane was accepted";
+    }
+    catch (const CadError& error) {
+        EXPECT_EQ(error.shape(), 1U);
+        EXPECT_EQ(error.edges(), std::vector<std::uint32_t> {1});
+    }
+}
+
 TEST(ReadCad, MissingForeignAndTruncatedFilesAreUnreadable)
 {
     EXPECT_EQ(messageOf("/nowhere/at/all.brep").rfind("unreadable", 0), 0U);
