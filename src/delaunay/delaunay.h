@@ -64,12 +64,14 @@ struct Location
 };
 
 /// Exact location by a walk from the hint (a half-edge of any live triangle); always ends.
+/// Precondition: there are triangles.
 Location locate(const Triangulation& triangulation, Vec2 p, HalfEdge hint);
 
 /// Inserts p where it is, with a conflict region that never reaches across a constrained edge
 /// (Bowyer–Watson on the visible part: the result is constrained Delaunay if it was before). A
 /// point on a constrained edge splits it; both halves stay constrained. Returns the vertex, which
-/// is an existing one if p equals it.
+/// is an existing one if p equals it. No allocation but the growth of the arrays; slots are reused.
+/// The hint is not read when there are no triangles; then each insertion costs O(n).
 std::uint32_t insertPoint(Triangulation& triangulation, Vec2 p, HalfEdge hint);
 std::uint32_t insertPointAt(Triangulation& triangulation, Vec2 p, const Location& where);
 
@@ -83,7 +85,7 @@ void legalize(Triangulation& triangulation, std::vector<HalfEdge>& suspects);
 
 /// Every violated invariant as a sentence; empty when the triangulation is valid. Checks links,
 /// orientation, Euler's formula, the convex hull and, if asked, the exact (constrained) Delaunay
-/// property. O(n).
+/// property. A vertex whose incident is kDead counts as removed if no triangle has it. O(n).
 std::vector<std::string> verify(const Triangulation& triangulation, bool checkDelaunay = true);
 
 } // namespace tessera
