@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "arrange/arrange.h"
+
+#include "arrange/weld.h"
+#include "curve/curve_tools.h"
+#include "curve/default_roles.h"
+#include "curve/network_check.h"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace tessera
+{
+
+namespace
+{
+
+/// By point: a curve that is meshed, or an embedded point, uses it.
+std::vector<std::uint8_t> usedPoints(const CurveNetwork& network)
+{
+    std::vector<std::uint8_t> used(network.points.size(), 0);
+    for (const NetworkCurve& curve : network.curves) {
+        if (curve.role != Role::Ignored) {
+            used[curve.start.index()] = 1;
+            used[curve.end.index()] = 1;
+        }
+    }
+    for (const EmbeddedPoint& embedded : network.embedded) {
+        used[embedded.point.index()] = 1;
+    }
+    return used;
+}
+
+/// Renumbers the points that stay, in their order, and fills report.pointOf.
+std::vector<Vec2> compactPoints(const CurveNetwork& network, const std::vector<std::uint8_t>& used,
+                                const std::vector<std::uint32_t>& representative,
+                                ArrangeReport& report)
+{
+    std::vector<Vec2> points;
+    report.pointOf.assign(network.points.size(), PointId());
+    for (std::size_t p = 0; p < network.points.size(); ++p) {
+        if (used[p] == 0) {
+            continue;
+        }
+        const std::uint32_t lowest = representative[p];
+        if (lowest == p) {
+            report.pointOf[p] = PointId(points.size());
+            points.push_back(network.points[p]);
+        }
+        else {
+            report.pointOf[p] = report.pointOf[lowest];
+            report.welded += network.points[p] == network.points[lowest] ? 0 : 1;
+        }
+    }
+    return points;
+}
+
+/// A curve whose two ends became one although it is no longer than the welding can bridge has
+/// collapsed: without geometry it is a straight curve of zero length, which sampling drops.
+void collapseShortCurves(const CurveNetwork& before, double weld, CurveNetwork& network)
+{
+    for (std::size_t c = 0; c < network.curves.size(); ++c) {
+        NetworkCurve& curve = network.curves[c];
+        if (curve.geometry && curve.start == curve.end
+            && before.curves[c].start != before.curves[c].end
+            && arcLength(*curve.geometry) <= 2.0 * weld) {
+            curve.geometry = nullptr;
+        }
+    }
+}
+
+std::string number(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+void addMessages(double weld, ArrangeReport& report)
+{
+    if (report.welded > 0) {
+        report.messages.push_back(
+            std::to_string(report.welded)
+            + (report.welded == 1 ? " end point was" : " end points were")
+            + " joined to another one within the weld tolerance " + number(weld) + ".");
+    }
+    if (!report.chainsLeft.empty()) {
+        const Vec2 place = report.chainsLeft.front().position;
+        report.messages.push_back(
+            std::to_string(report.chainsLeft.size())
+            + (report.chainsLeft.size() == 1 ? " row" : " rows")
+            + " of end points within the weld tolerance of each other reach too far to be one"
+              " point and stay as they are, the first at ("
+            + number(place.x) + ", " + number(place.y) + "); choose a smaller tolerance.");
+    }
+}
+
+} // namespace
+
+CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
+                     ArrangeReport& report, Execution& execution)
+{
+    if (!(options.weld >= 0.0) || !std::isfinite(options.weld)) {
+        throw Error(ErrorKind::InvalidOption,
+                    "The weld tolerance must be a number of at least 0.");
+    }
+    requireValid(network);
+    report = {};
+    const std::vector<std::uint8_t> used = usedPoints(network);
+    // Without a tolerance even equal points stay apart: a .poly is read by point index.
+    const std::vector<std::uint8_t> none(network.points.size(), 0);
+    const WeldResult weld = weldPoints(network.points, options.weld > 0.0 ? used : none,
+                                       options.weld, execution);
+    for (const std::uint32_t p : weld.chainsLeft) {
+        report.chainsLeft.push_back({network.points[p]});
+    }
+
+    CurveNetwork result = network;
+    result.points = compactPoints(network, used, weld.representative, report);
+    for (NetworkCurve& curve : result.curves) {
+        curve.start = report.pointOf[curve.start.index()];
+        curve.end = report.pointOf[curve.end.index()];
+    }
+    for (EmbeddedPoint& embedded : result.embedded) {
+        embedded.point = report.pointOf[embedded.point.index()];
+    }
+    collapseShortCurves(network, options.weld, result);
+    settleChainRoles(result);
+    for (std::size_t c = 0; c < result.curves.size(); ++c) {
+        report.parent.emplace_back(c);
+    }
+    addMessages(options.weld, report);
+    return result;
+}
+
+} // namespace tessera

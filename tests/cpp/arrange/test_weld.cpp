@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "arrange/arrange.h"
+#include "arrange/weld.h"
+#include "curve/arc.h"
+#include "curve/polyline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <numbers>
+#include <random>
+
+namespace tessera
+{
+namespace
+{
+
+WeldResult weldAll(const std::vector<Vec2>& points, double tolerance)
+{
+    const Execution execution;
+    return weldPoints(points, std::vector<std::uint8_t>(points.size(), 1), tolerance, execution);
+}
+
+/// The definition, by brute force.
+std::vector<std::uint32_t> bruteForce(const std::vector<Vec2>& points, double tolerance)
+{
+    const auto n = static_cast<std::uint32_t>(points.size());
+    std::vector<std::uint32_t> label(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        label[i] = i;
+    }
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            for (std::uint32_t j = 0; j < n; ++j) {
+                if (distance(points[i], points[j]) <= tolerance && label[j] < label[i]) {
+                    label[i] = label[j];
+                    changed = true;
+                }
+            }
+        }
+    }
+    std::vector<std::uint32_t> result = label;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t j = 0; j < n; ++j) {
+            if (label[i] == label[j] && distance(points[i], points[j]) > 2 * tolerance) {
+                for (std::uint32_t k = 0; k < n; ++k) {
+                    if (label[k] == label[i]) {
+                        result[k] = static_cast<std::uint32_t>(
+                            std::find(points.begin(), points.end(), points[k]) - points.begin());
+                    }
+                }
+            }
+        }
+    }
+    return result;
+}
+
+TEST(Weld, AgreesWithBruteForceOnRandomPoints)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Vec2> points;
+        for (std::size_t i = 0; i < 5 + random() % 60; ++i) {
+            if (i > 0 && random() % 3 == 0) {
+                const Vec2 near = points[random() % points.size()];
+                points.push_back(near + Vec2 {0.02 * uniform(random), 0.02 * uniform(random)});
+            }
+            else if (i > 0 && random() % 5 == 0) {
+                points.push_back(points[random() % points.size()]);
+            }
+            else {
+                points.push_back({uniform(random), uniform(random)});
+            }
+        }
+        for (const double tolerance : {0.001, 0.02, 0.1, 0.5, 5.0}) {
+            EXPECT_EQ(weldAll(points, tolerance).representative, bruteForce(points, tolerance));
+        }
+    }
+}
+
+TEST(Weld, LongChainsStayAndAreReported)
+{
+    std::vector<Vec2> points;
+    for (int i = 0; i < 10; ++i) {
+        points.push_back({0.9 * i, 0.0});
+    }
+    points.push_back({100.0, 0.0});
+    points.push_back({100.5, 0.0});
+    points.push_back(points[3]);
+    const WeldResult result = weldAll(points, 1.0);
+    EXPECT_EQ(result.chainsLeft, std::vector<std::uint32_t> {0});
+    for (std::uint32_t i = 0; i < 10; ++i) {
+        EXPECT_EQ(result.representative[i], i);
+    }
+    EXPECT_EQ(result.representative[11], 10U);
+    EXPECT_EQ(result.representative[12], 3U);
+}
+
+TEST(Weld, ToleranceFarBelowTheCoordinates)
+{
+    const double next = std::nextafter(1e20, 1e300);
+    const WeldResult result = weldAll({{1e20, 0}, {next, 0}, {1e20, 0}}, 1e-5);
+    EXPECT_EQ(result.representative, (std::vector<std::uint32_t> {0, 1, 0}));
+}
+
+TEST(Weld, ManyEqualPointsAndManyInOneCellAreFast)
+{
+    std::vector<Vec2> points(200000, Vec2 {1, 2});
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> uniform(0.0, 1e-3);
+    for (int i = 0; i < 100000; ++i) {
+        points.push_back({1e6 + uniform(random), uniform(random)});
+    }
+    for (int i = 0; i < 300; ++i) {
+        for (int j = 0; j < 300; ++j) {
+            points.push_back({1e3 * i, 1e3 * j});
+        }
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const WeldResult result = weldAll(points, 1e-2);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    EXPECT_EQ(result.representative[199999], 0U);
+    EXPECT_EQ(result.representative[299999], 200000U);
+    EXPECT_EQ(result.representative[389999], 389999U);
+    EXPECT_LT(seconds.count(), 20.0);
+}
+
+/// Two straight sides and an arc, whose ends miss each other by gap.
+CurveNetwork almostClosed(double gap)
+{
+    CurveNetwork network;
+    network.operands.resize(1);
+    network.addPoint({50, 50});
+    const std::vector<Vec2> sides {{1, 0}, {0, 0}, {0, 1}};
+    addPolyline(network, sides, false, OperandId(0U), Role::Chain);
+    const PointId start = network.addPoint({1 + gap, 0});
+    const PointId end = network.addPoint({0, 1 + gap});
+    network.curves.push_back({makeCircleArc({0, 0}, 1 + gap, 0, std::numbers::pi / 2), start, end,
+                              OperandId(0U), Role::Chain});
+    return network;
+}
+
+TEST(Arrange, ClosesGapsWithinTheToleranceAndSettlesChains)
+{
+    const CurveNetwork network = almostClosed(1e-3);
+    ArrangeReport report;
+    Execution execution;
+    const CurveNetwork closed = arrange(network, {.weld = 2e-3}, report, execution);
+    EXPECT_EQ(report.welded, 2U);
+    ASSERT_EQ(report.messages.size(), 1U);
+    EXPECT_EQ(closed.points.size(), 3U);
+    EXPECT_EQ(report.pointOf[0], PointId());
+    EXPECT_EQ(closed.points[0], (Vec2 {1, 0}));
+    for (const NetworkCurve& curve : closed.curves) {
+        EXPECT_EQ(curve.role, Role::Boundary);
+    }
+    EXPECT_EQ(closed.curves[2].start, closed.curves[0].start);
+
+    const CurveNetwork open = arrange(network, {.weld = 0.5e-3}, report, execution);
+    EXPECT_EQ(report.welded, 0U);
+    EXPECT_TRUE(report.messages.empty());
+    for (const NetworkCurve& curve : open.curves) {
+        EXPECT_EQ(curve.role, Role::Constraint);
+    }
+}
+
+TEST(Arrange, WithoutToleranceEqualPointsStayTwo)
+{
+    const CurveNetwork network = almostClosed(0.0);
+    ArrangeReport report;
+    Execution execution;
+    EXPECT_EQ(arrange(network, {}, report, execution).points.size(), 5U);
+    EXPECT_EQ(arrange(network, {.weld = 1e-9}, report, execution).points.size(), 3U);
+    EXPECT_EQ(report.welded, 0U);
+}
+
+TEST(Arrange, KeepsEmbeddedPointsAndDropsThoseOfIgnoredCurves)
+{
+    CurveNetwork network = almostClosed(0.0);
+    network.embedded.push_back({PointId(0U), OperandId(0U), "load"});
+    network.curves[2].role = Role::Ignored;
+    ArrangeReport report;
+    Execution execution;
+    const CurveNetwork result = arrange(network, {}, report, execution);
+    EXPECT_EQ(result.points.size(), 4U);
+    EXPECT_EQ(result.embedded[0].point, PointId(0U));
+    EXPECT_EQ(result.curves.size(), network.curves.size());
+}
+
+TEST(Arrange, CollapsesWhatIsShorterThanTheTolerance)
+{
+    CurveNetwork network;
+    network.operands.resize(1);
+    const PointId a = network.addPoint({1, 0});
+    const PointId b = network.addPoint({1, 1e-4});
+    network.curves.push_back({makeCircleArc({0, 0}, 1, 0, 1e-4), a, b, OperandId(0U)});
+    network.curves.push_back(
+        {makeCircleArc({0, 0}, 1, 1e-4, 2 * std::numbers::pi), b, a, OperandId(0U)});
+    ArrangeReport report;
+    Execution execution;
+    const CurveNetwork result = arrange(network, {.weld = 1e-3}, report, execution);
+    EXPECT_EQ(result.curves[0].geometry, nullptr);
+    EXPECT_NE(result.curves[1].geometry, nullptr);
+    EXPECT_EQ(result.curves[1].start, result.curves[1].end);
+}
+
+TEST(Arrange, RefusesBadInput)
+{
+    ArrangeReport report;
+    Execution execution;
+    const CurveNetwork network = almostClosed(0.0);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(arrange(network, {.weld = -1}, report, execution), Error);
+    EXPECT_THROW(arrange(network, {.weld = nan}, report, execution), Error);
+    CurveNetwork broken = network;
+    broken.points[1].x = nan;
+    EXPECT_THROW(arrange(broken, {}, report, execution), Error);
+}
+
+} // namespace
+} // namespace tessera
