@@ -33,6 +33,7 @@ struct MeshOptions
     double maxArea = 0.0;  ///< 0: none
     double weld = -1.0;    ///< end points closer than this are one; < 0: the input's default
     int order = 1;         ///< 1 or 2
+    double memoryLimit = 0.0; ///< bytes; a mesh estimated to need more is refused; 0: no check
     FillRule fill = FillRule::EvenOdd;
     RecoveryStrategy recovery = RecoveryStrategy::Cavity;
     bool refine = true;    ///< false: no interior points, straight segments not sampled
@@ -87,7 +88,7 @@ struct StageObserver
 MeshResult meshNetwork(const CurveNetwork& network, const MeshOptions& options,
                        Execution& execution, StageObserver* stages = nullptr);
 
-/// As above with a size field of the caller's instead of options.size.
+/// As above with a size field of the caller's besides options.size; the smaller one counts.
 MeshResult meshNetwork(const CurveNetwork& network, const SizeField& size,
                        const MeshOptions& options, Execution& execution,
                        StageObserver* stages = nullptr);

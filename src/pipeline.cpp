@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline.h"
+
+#include "arrange/arrange.h"
+#include "mesh/extract.h"
+#include "mesh/second_order.h"
+#include "optimize/optimize.h"
+#include "refine/working_mesh.h"
+#include "sample/sample.h"
+#include "sizing/make_size_field.h"
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace tessera
+{
+
+namespace
+{
+
+/// Bytes that one triangle costs at the peak, all stages together; for the estimate only.
+constexpr double kBytesPerTriangle = 250.0;
+
+void require(bool ok, const char* message)
+{
+    if (!ok) {
+        throw Error(ErrorKind::InvalidOption, message);
+    }
+}
+
+/// Adds the time since the last call to a stage.
+class Stopwatch
+{
+public:
+    void lap(double& stage)
+    {
+        const auto now = std::chrono::steady_clock::now();
+        stage += std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+    }
+    double total() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point last_ = begin_;
+};
+
+Box2 boundsOf(const std::vector<Vec2>& points)
+{
+    Box2 box;
+    for (const Vec2 p : points) {
+        box.add(p);
+    }
+    return box;
+}
+
+/// Splits constraints' endpoints from the Pslg into vertices of the triangulation.
+std::vector<ConstraintEnds> constraintEnds(const Pslg& pslg,
+                                           const std::vector<std::uint32_t>& vertexOfPoint)
+{
+    std::vector<ConstraintEnds> ends;
+    ends.reserve(pslg.segments.size());
+    for (const PslgSegment& segment : pslg.segments) {
+        ends.push_back({vertexOfPoint[segment.a.index()], vertexOfPoint[segment.b.index()]});
+    }
+    return ends;
+}
+
+std::vector<VertexOrigin> vertexOrigins(const RecoveryResult& recovered, std::size_t networkPoints,
+                                        const std::vector<std::uint32_t>& vertexOfPoint)
+{
+    const std::size_t count = recovered.triangulation.points.size();
+    std::vector<VertexOrigin> origin(count, VertexOrigin::CurveSample);
+    for (std::size_t p = 0; p < networkPoints; ++p) {
+        origin[vertexOfPoint[p]] = VertexOrigin::Input;
+    }
+    for (std::size_t v = recovered.firstCrossing; v < count; ++v) {
+        origin[v] = VertexOrigin::Crossing;
+    }
+    return origin;
+}
+
+/// One meshing run: holds what a later stage needs of an earlier one.
+class Run
+{
+public:
+    Run(const CurveNetwork& input, const MeshOptions& options, Execution& execution,
+        StageObserver* stages)
+        : input_(input)
+        , options_(options)
+        , execution_(execution)
+        , stages_(stages)
+    {}
+
+    MeshResult mesh(const SizeField* callersSize)
+    {
+        validate();
+        arrangeStage();
+        const std::shared_ptr<const SizeField> field = sizeStage(callersSize);
+        const SizeField& size = *field;
+        sampleStage(size);
+        triangulateStage();
+        recoverStage();
+        colorStage();
+        refineStage(size);
+        optimizeStage(size);
+        extractStage(size);
+        result_.report.seconds.total = watch_.total();
+        return std::move(result_);
+    }
+
+private:
+    void validate() const
+    {
+        const auto positive = [](double x) { return std::isfinite(x) && x >= 0.0; };
+        require(positive(options_.size), "The size must be a positive length.");
+        require(positive(options_.minSize), "The smallest size must be a positive length.");
+        require(options_.growth > 0.0 && options_.growth <= 1.0,
+                "The growth rate must lie above 0 and at most at 1.");
+        require(options_.minAngle >= 0.0 && options_.minAngle <= 33.0,
+                "The smallest angle must lie between 0 and 33 degrees.");
+        require(positive(options_.maxArea), "The largest area must be positive.");
+        require(std::isfinite(options_.weld), "The weld tolerance must be a length.");
+        require(options_.order == 1 || options_.order == 2, "The element order must be 1 or 2.");
+    }
+
+    void arrangeStage()
+    {
+        execution_.beginStage("arrange", 0.0, 0.05);
+        MeshReport& report = result_.report;
+        report.inputPoints = input_.points.size();
+        report.inputSegments = input_.curves.size();
+        report.inputCurves = input_.curves.size();
+        report.inputOperands = input_.operands.size();
+        ArrangeReport arranged;
+        network_ = arrange(input_, {.weld = std::max(options_.weld, 0.0)}, arranged, execution_);
+        report.weld = std::max(options_.weld, 0.0);
+        report.welded = arranged.welded;
+        report.messages = arranged.messages;
+        watch_.lap(report.seconds.arrange);
+    }
+
+    std::shared_ptr<const SizeField> sizeStage(const SizeField* callersSize)
+    {
+        const SizeOptions sizeOptions {
+            .size = options_.size, .minSize = options_.minSize, .growth = options_.growth};
+        result_.report.defaultSize = defaultSize(network_);
+        if (callersSize == nullptr) {
+            return makeSizeField(network_, sizeOptions, execution_);
+        }
+        // Not owned: the caller's field outlives the run.
+        const std::shared_ptr<const SizeField> base(callersSize, [](const SizeField*) {});
+        return makeSizeField(network_, base, sizeOptions, execution_);
+    }
+
+    void sampleStage(const SizeField& size)
+    {
+        execution_.beginStage("sample", 0.05, 0.1);
+        pslg_ = sample(network_, size, {.straightSegments = options_.refine}, execution_);
+        watch_.lap(result_.report.seconds.sample);
+    }
+
+    void triangulateStage()
+    {
+        execution_.beginStage("triangulate", 0.1, 0.2);
+        rectangle_ = makeInitialRectangle(boundsOf(pslg_.points));
+        delaunay_ = triangulate(pslg_.points, execution_);
+        watch_.lap(result_.report.seconds.triangulate);
+        if (stages_ != nullptr) {
+            stages_->initialRectangle(rectangle_);
+            stages_->pointsInserted(delaunay_.triangulation, rectangle_);
+        }
+    }
+
+    void recoverStage()
+    {
+        execution_.beginStage("recover", 0.2, 0.35);
+        const auto ends = constraintEnds(pslg_, delaunay_.vertexOfPoint);
+        RecoveryObserver* observer = nullptr;
+        if (stages_ != nullptr) {
+            stages_->beforeRecovery(delaunay_.triangulation, ends);
+            observer = stages_->recoveryObserver();
+        }
+        recovered_ = recoverBoundaries(std::move(delaunay_.triangulation), ends,
+                                       options_.recovery, execution_, observer);
+        for (std::uint32_t& v : delaunay_.vertexOfPoint) {
+            v = recovered_.vertexMap[v];
+        }
+        result_.report.recovery = recovered_.report;
+        watch_.lap(result_.report.seconds.recover);
+        if (stages_ != nullptr) {
+            stages_->recovered(recovered_);
+        }
+    }
+
+    void colorStage()
+    {
+        execution_.beginStage("color", 0.35, 0.4);
+        regions_ = colorRegions(recovered_, network_, pslg_, options_.fill, execution_);
+        result_.report.regions = regions_.keptRegions;
+        if (regions_.keptRegions == 0 && !allowsEmpty()) {
+            throw explainNoInside(recovered_, network_, pslg_, regions_);
+        }
+        if (regions_.loopsMadeHoles > 0) {
+            result_.report.messages.push_back(
+                std::to_string(regions_.loopsMadeHoles)
+                + " loops inside others became holes; choose Fill = All to keep them.");
+        }
+        watch_.lap(result_.report.seconds.color);
+        if (stages_ != nullptr) {
+            stages_->outsideRemoved(recovered_, regions_);
+        }
+        origin_ = vertexOrigins(recovered_, network_.points.size(), delaunay_.vertexOfPoint);
+        working_ = makeWorkingMesh(std::move(recovered_), regions_, network_, pslg_,
+                                   std::move(origin_));
+    }
+
+    bool allowsEmpty() const
+    {
+        return options_.fill == FillRule::All || options_.fill == FillRule::Hull;
+    }
+
+    void refineStage(const SizeField& size)
+    {
+        if (!options_.refine) {
+            return;
+        }
+        execution_.beginStage("refine", 0.4, 0.75);
+        refuseTooLarge(estimateTriangles(working_, size));
+        RefineOptions refineOptions {.minAngle = options_.minAngle, .maxArea = options_.maxArea};
+        for (const Region& region : regions_.regions) {
+            refineOptions.regionMaxArea.push_back(region.maxArea);
+        }
+        RefineReport refined = refine(working_, size, refineOptions, execution_);
+        result_.report.unreached = std::move(refined.unreached);
+        watch_.lap(result_.report.seconds.refine);
+    }
+
+    void refuseTooLarge(double triangles) const
+    {
+        const double bytes = triangles * kBytesPerTriangle;
+        if (options_.memoryLimit > 0.0 && bytes > options_.memoryLimit) {
+            char text[256];
+            std::snprintf(text, sizeof text,
+                          "The mesh would have about %.3g triangles and need %.3g GB of memory, but "
+                          "only %.3g GB are free; choose a larger size.",
+                          triangles, bytes * 1e-9, options_.memoryLimit * 1e-9);
+            throw Error(ErrorKind::TooLarge, text);
+        }
+    }
+
+    void optimizeStage(const SizeField& size)
+    {
+        if (!options_.optimize || !options_.refine) {
+            return;
+        }
+        execution_.beginStage("optimize", 0.75, 0.95);
+        optimize(working_, size, options_.minAngle, execution_);
+        watch_.lap(result_.report.seconds.optimize);
+    }
+
+    void extractStage(const SizeField& size)
+    {
+        execution_.beginStage("extract", 0.95, 1.0);
+        ExtractResult extracted =
+            extractMesh(working_, recovered_.constraints, regions_, pslg_);
+        MeshReport& report = result_.report;
+        Mesh& mesh = result_.mesh;
+        mesh = std::move(extracted.mesh);
+        report.quality = measureQuality(mesh, &size);
+        if (options_.order == 2) {
+            for (const std::uint32_t e : makeSecondOrder(mesh, extracted.edgeMiddle)) {
+                report.unreached.push_back(
+                    {"curved_edge", mesh.nodes[mesh.edgeMidNodes[e]], 0.0, 1.0});
+            }
+        }
+        std::vector<std::uint32_t> nodeOfPoint;
+        nodeOfPoint.reserve(network_.points.size());
+        for (std::size_t p = 0; p < network_.points.size(); ++p) {
+            nodeOfPoint.push_back(extracted.nodeOfVertex[delaunay_.vertexOfPoint[p]]);
+        }
+        addGroups(mesh, network_, nodeOfPoint);
+        for (const Mesh::MeshRegion& region : mesh.regions) {
+            report.regionAreas.push_back(region.area);
+            report.area += region.area;
+        }
+        watch_.lap(report.seconds.extract);
+        if (stages_ != nullptr) {
+            stages_->optimized(mesh);
+        }
+    }
+
+    const CurveNetwork& input_;
+    const MeshOptions& options_;
+    Execution& execution_;
+    StageObserver* stages_;
+    Stopwatch watch_;
+
+    CurveNetwork network_;
+    Pslg pslg_;
+    InitialRectangle rectangle_;
+    DelaunayResult delaunay_;
+    RecoveryResult recovered_;
+    RegionMap regions_;
+    std::vector<VertexOrigin> origin_;
+    WorkingMesh working_;
+    MeshResult result_;
+};
+
+} // namespace
+
+MeshResult meshNetwork(const CurveNetwork& network, const MeshOptions& options,
+                       Execution& execution, StageObserver* stages)
+{
+    return Run(network, options, execution, stages).mesh(nullptr);
+}
+
+MeshResult meshNetwork(const CurveNetwork& network, const SizeField& size,
+                       const MeshOptions& options, Execution& execution, StageObserver* stages)
+{
+    return Run(network, options, execution, stages).mesh(&size);
+}
+
+} // namespace tessera
