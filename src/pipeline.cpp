@@ -2,17 +2,19 @@
 #include "pipeline.h"
 
 #include "arrange/arrange.h"
+#include "curve/curve_tools.h"
 #include "mesh/extract.h"
 #include "mesh/second_order.h"
 #include "optimize/optimize.h"
 #include "refine/working_mesh.h"
+#include "region/no_inside.h"
 #include "sample/sample.h"
 #include "sizing/make_size_field.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
-#include <string>
+#include <cstdio>
 #include <utility>
 
 namespace tessera
@@ -60,7 +62,6 @@ Box2 boundsOf(const std::vector<Vec2>& points)
     return box;
 }
 
-/// Splits constraints' endpoints from the Pslg into vertices of the triangulation.
 std::vector<ConstraintEnds> constraintEnds(const Pslg& pslg,
                                            const std::vector<std::uint32_t>& vertexOfPoint)
 {
@@ -104,6 +105,7 @@ public:
         arrangeStage();
         const std::shared_ptr<const SizeField> field = sizeStage(callersSize);
         const SizeField& size = *field;
+        refuseTooLarge(leastTriangles());
         sampleStage(size);
         triangulateStage();
         recoverStage();
@@ -159,6 +161,17 @@ private:
         return makeSizeField(network_, base, sizeOptions, execution_);
     }
 
+    /// Every piece of a curve has a triangle of its own, and no size is larger than this one.
+    double leastTriangles() const
+    {
+        const double largest = options_.size > 0.0 ? options_.size : result_.report.defaultSize;
+        double length = 0.0;
+        for (const NetworkCurve& curve : network_.curves) {
+            length += curve.role == Role::Ignored ? 0.0 : curveLength(network_, curve);
+        }
+        return options_.refine && largest > 0.0 ? std::min(length / largest, 1e300) : 0.0;
+    }
+
     void sampleStage(const SizeField& size)
     {
         execution_.beginStage("sample", 0.05, 0.1);
@@ -205,13 +218,10 @@ private:
         regions_ = colorRegions(recovered_, network_, pslg_, options_.fill, execution_);
         result_.report.regions = regions_.keptRegions;
         if (regions_.keptRegions == 0 && !allowsEmpty()) {
-            throw explainNoInside(recovered_, network_, pslg_, regions_);
+            throw explainNoInside(recovered_, network_, pslg_, regions_, options_.fill);
         }
-        if (regions_.loopsMadeHoles > 0) {
-            result_.report.messages.push_back(
-                std::to_string(regions_.loopsMadeHoles)
-                + " loops inside others became holes; choose Fill = All to keep them.");
-        }
+        result_.report.messages.insert(result_.report.messages.end(), regions_.messages.begin(),
+                                       regions_.messages.end());
         watch_.lap(result_.report.seconds.color);
         if (stages_ != nullptr) {
             stages_->outsideRemoved(recovered_, regions_);
@@ -233,7 +243,9 @@ private:
         }
         execution_.beginStage("refine", 0.4, 0.75);
         refuseTooLarge(estimateTriangles(working_, size));
-        RefineOptions refineOptions {.minAngle = options_.minAngle, .maxArea = options_.maxArea};
+        RefineOptions refineOptions;
+        refineOptions.minAngle = options_.minAngle;
+        refineOptions.maxArea = options_.maxArea;
         for (const Region& region : regions_.regions) {
             refineOptions.regionMaxArea.push_back(region.maxArea);
         }
@@ -248,7 +260,7 @@ private:
         if (options_.memoryLimit > 0.0 && bytes > options_.memoryLimit) {
             char text[256];
             std::snprintf(text, sizeof text,
-                          "The mesh would have about %.3g triangles and need %.3g GB of memory, but "
+                          "The mesh would have about %.3g triangles or more and need %.3g GB of memory, but "
                           "only %.3g GB are free; choose a larger size.",
                           triangles, bytes * 1e-9, options_.memoryLimit * 1e-9);
             throw Error(ErrorKind::TooLarge, text);
