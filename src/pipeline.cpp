@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <utility>
 
 namespace tessera
@@ -73,18 +74,48 @@ std::vector<ConstraintEnds> constraintEnds(const Pslg& pslg,
     return ends;
 }
 
+/// What both recoveries did: of the straight curves among themselves, of all pieces.
+RecoveryReport joined(const RecoveryReport& straight, RecoveryReport all)
+{
+    all.crossings += straight.crossings;
+    all.touches += straight.touches;
+    all.steinerInserted += straight.steinerInserted;
+    all.steinerRemoved += straight.steinerRemoved;
+    all.maxDisplacement = std::max(all.maxDisplacement, straight.maxDisplacement);
+    all.snapPixel = std::max(all.snapPixel, straight.snapPixel);
+    return all;
+}
+
 std::vector<VertexOrigin> vertexOrigins(const RecoveryResult& recovered, std::size_t networkPoints,
+                                        std::size_t firstCrossing,
                                         const std::vector<std::uint32_t>& vertexOfPoint)
 {
     const std::size_t count = recovered.triangulation.points.size();
     std::vector<VertexOrigin> origin(count, VertexOrigin::CurveSample);
-    for (std::size_t p = 0; p < networkPoints; ++p) {
-        origin[vertexOfPoint[p]] = VertexOrigin::Input;
+    for (std::size_t p = networkPoints; p-- > 0;) {
+        origin[vertexOfPoint[p]] = p < firstCrossing ? VertexOrigin::Input : VertexOrigin::Crossing;
     }
     for (std::size_t v = recovered.firstCrossing; v < count; ++v) {
         origin[v] = VertexOrigin::Crossing;
     }
     return origin;
+}
+
+/// Replaces the arranged curves that edges lie on by the input curves they are pieces of.
+void nameCurvesOfInput(Mesh& mesh, const std::vector<CurveId>& parent)
+{
+    std::vector<CurveId> curves;
+    std::vector<std::uint32_t> start {0};
+    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+        std::set<CurveId> parents;
+        for (std::uint32_t i = mesh.edgeCurveStart[e]; i < mesh.edgeCurveStart[e + 1]; ++i) {
+            parents.insert(parent[mesh.edgeCurves[i].index()]);
+        }
+        curves.insert(curves.end(), parents.begin(), parents.end());
+        start.push_back(static_cast<std::uint32_t>(curves.size()));
+    }
+    mesh.edgeCurves = std::move(curves);
+    mesh.edgeCurveStart = std::move(start);
 }
 
 /// One meshing run: holds what a later stage needs of an earlier one.
@@ -103,6 +134,17 @@ public:
     {
         validate();
         arrangeStage();
+        try {
+            return meshArranged(callersSize);
+        }
+        catch (const Error& error) {
+            throw Error(error.kind(), error.what(), placesInInput(error.places()));
+        }
+    }
+
+private:
+    MeshResult meshArranged(const SizeField* callersSize)
+    {
         const std::shared_ptr<const SizeField> field = sizeStage(callersSize);
         const SizeField& size = *field;
         refuseTooLarge(leastTriangles());
@@ -117,7 +159,17 @@ public:
         return std::move(result_);
     }
 
-private:
+    /// Errors of the later stages name arranged curves; the caller knows those of the input.
+    std::vector<ErrorPlace> placesInInput(std::vector<ErrorPlace> places) const
+    {
+        for (ErrorPlace& place : places) {
+            if (place.curve < arranged_.parent.size()) {
+                place.curve = arranged_.parent[place.curve].value;
+            }
+        }
+        return places;
+    }
+
     void validate() const
     {
         const auto positive = [](double x) { return std::isfinite(x) && x >= 0.0; };
@@ -140,11 +192,15 @@ private:
         report.inputSegments = input_.curves.size();
         report.inputCurves = input_.curves.size();
         report.inputOperands = input_.operands.size();
-        ArrangeReport arranged;
-        network_ = arrange(input_, {.weld = std::max(options_.weld, 0.0)}, arranged, execution_);
-        report.weld = std::max(options_.weld, 0.0);
-        report.welded = arranged.welded;
-        report.messages = arranged.messages;
+        ArrangeOptions arrangeOptions;
+        arrangeOptions.weld = std::max(options_.weld, 0.0);
+        arrangeOptions.crossStraight = options_.refine;
+        arrangeOptions.recovery = options_.recovery;
+        arrangeOptions.observer = stages_ != nullptr ? stages_->recoveryObserver() : nullptr;
+        network_ = arrange(input_, arrangeOptions, arranged_, execution_);
+        report.weld = arrangeOptions.weld;
+        report.welded = arranged_.welded;
+        report.messages = arranged_.messages;
         watch_.lap(report.seconds.arrange);
     }
 
@@ -205,7 +261,7 @@ private:
         for (std::uint32_t& v : delaunay_.vertexOfPoint) {
             v = recovered_.vertexMap[v];
         }
-        result_.report.recovery = recovered_.report;
+        result_.report.recovery = joined(arranged_.straight, recovered_.report);
         watch_.lap(result_.report.seconds.recover);
         if (stages_ != nullptr) {
             stages_->recovered(recovered_);
@@ -226,7 +282,8 @@ private:
         if (stages_ != nullptr) {
             stages_->outsideRemoved(recovered_, regions_);
         }
-        origin_ = vertexOrigins(recovered_, network_.points.size(), delaunay_.vertexOfPoint);
+        origin_ = vertexOrigins(recovered_, network_.points.size(), arranged_.firstCrossing,
+                                delaunay_.vertexOfPoint);
         working_ = makeWorkingMesh(std::move(recovered_), regions_, network_, pslg_,
                                    std::move(origin_));
     }
@@ -292,12 +349,8 @@ private:
                     {"curved_edge", mesh.nodes[mesh.edgeMidNodes[e]], 0.0, 1.0});
             }
         }
-        std::vector<std::uint32_t> nodeOfPoint;
-        nodeOfPoint.reserve(network_.points.size());
-        for (std::size_t p = 0; p < network_.points.size(); ++p) {
-            nodeOfPoint.push_back(extracted.nodeOfVertex[delaunay_.vertexOfPoint[p]]);
-        }
-        addGroups(mesh, network_, nodeOfPoint);
+        nameCurvesOfInput(mesh, arranged_.parent);
+        addGroups(mesh, input_, nodesOfInputPoints(extracted.nodeOfVertex));
         for (const Mesh::MeshRegion& region : mesh.regions) {
             report.regionAreas.push_back(region.area);
             report.area += region.area;
@@ -308,13 +361,26 @@ private:
         }
     }
 
+    /// By point of the input: its node, or kNoNode.
+    std::vector<std::uint32_t> nodesOfInputPoints(const std::vector<std::uint32_t>& nodeOfVertex)
+    {
+        std::vector<std::uint32_t> nodes;
+        nodes.reserve(arranged_.pointOf.size());
+        for (const PointId point : arranged_.pointOf) {
+            nodes.push_back(point.valid() ? nodeOfVertex[delaunay_.vertexOfPoint[point.index()]]
+                                          : ExtractResult::kNoNode);
+        }
+        return nodes;
+    }
+
     const CurveNetwork& input_;
     const MeshOptions& options_;
     Execution& execution_;
     StageObserver* stages_;
     Stopwatch watch_;
 
-    CurveNetwork network_;
+    ArrangeReport arranged_;
+    CurveNetwork network_; ///< arranged
     Pslg pslg_;
     InitialRectangle rectangle_;
     DelaunayResult delaunay_;

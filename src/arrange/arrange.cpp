@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arrange/arrange.h"
 
+#include "arrange/cross_straight.h"
 #include "arrange/weld.h"
 #include "curve/curve_tools.h"
 #include "curve/default_roles.h"
@@ -132,6 +133,10 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
         report.parent.emplace_back(c);
     }
     addMessages(options.weld, report);
+    report.firstCrossing = result.points.size();
+    if (options.crossStraight) {
+        crossStraightCurves(result, options, report, execution);
+    }
     return result;
 }
 

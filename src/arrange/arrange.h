@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/execution.h"
 #include "curve/curve_network.h"
+#include "recover/recover.h"
 
 #include <cstddef>
 #include <string>
@@ -16,6 +17,11 @@ struct ArrangeOptions
 {
     /// End points closer than this become one, in the input's unit; >= 0. 0: none are moved.
     double weld = 0.0;
+    /// Split straight curves where they cross, see cross_straight.h; false leaves all crossings to
+    /// the recovery of the constraints.
+    bool crossStraight = false;
+    RecoveryStrategy recovery = RecoveryStrategy::Cavity;
+    RecoveryObserver* observer = nullptr; ///< of that recovery
 };
 
 struct ArrangeReport
@@ -28,10 +34,13 @@ struct ArrangeReport
     std::vector<CurveId> parent;
     /// By point of the input: its point in the result, invalid if nothing uses it.
     std::vector<PointId> pointOf;
+    /// Points of the result from here on were made at crossings.
+    std::size_t firstCrossing = 0;
+    RecoveryReport straight; ///< of crossing the straight curves
     std::vector<std::string> messages; ///< for the user
 };
 
-/// Welds end points, settles Role::Chain and leaves out the points that no curve of a role other
+/// Welds end points, settles Role::Chain, crosses straight curves if asked, and leaves out the points that no curve of a role other
 /// than Ignored and no embedded point uses. Validates the network first: throws
 /// Error(InvalidInput); Error(InvalidOption) for a tolerance that is negative or not finite.
 CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
