@@ -16,13 +16,14 @@ if(occt_sources)
                         TKGeomBase TKGeomAlgo TKTopAlgo TKPrim TKXSBase ${step_toolkits})
 endif()
 
-find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOImage IOLegacy
-             RenderingCore RenderingFreeType RenderingOpenGL2 QUIET)
+# FiltersGeneral checks cells in the tests only.
+find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOLegacy FiltersGeneral
+             QUIET)
 file(GLOB vtk_sources CONFIGURE_DEPENDS src/vtk/*.cpp)
 if(vtk_sources)
   add_library(tessera_vtk STATIC ${vtk_sources})
-  target_link_libraries(tessera_vtk PUBLIC tessera_core ${VTK_LIBRARIES})
-  vtk_module_autoinit(TARGETS tessera_vtk MODULES ${VTK_LIBRARIES})
+  target_link_libraries(tessera_vtk PUBLIC tessera_io VTK::CommonCore VTK::CommonDataModel
+                        VTK::IOXML VTK::IOLegacy)
 endif()
 
 find_package(CLI11 REQUIRED)

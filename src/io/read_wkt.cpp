@@ -114,7 +114,7 @@ private:
     std::string here() const
     {
         const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-        return atEnd() ? "the end of the file" : quoted(text_.substr(at_, end - at_));
+        return atEnd() ? "the end of the file" : inQuotes(text_.substr(at_, end - at_));
     }
 
     /// The word here in capitals; empty if there is none.

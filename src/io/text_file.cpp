@@ -31,18 +31,30 @@ struct CloseFile
     throw Error(ErrorKind::Unreadable, fmt::format("{}: cannot be read: {}.", path.string(), reason));
 }
 
-} // namespace
-
-std::string readTextFile(const std::filesystem::path& path)
+std::unique_ptr<std::FILE, CloseFile> openToRead(const std::filesystem::path& path)
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
         failToRead(path, "it is a folder");
     }
-    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+    std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     if (!file) {
         failToRead(path, std::strerror(errno));
     }
+    return file;
+}
+
+} // namespace
+
+void requireReadable(const std::filesystem::path& path)
+{
+    openToRead(path);
+}
+
+std::string readTextFile(const std::filesystem::path& path)
+{
+    const auto file = openToRead(path);
+    std::error_code ignored;
     std::string text;
     const auto size = std::filesystem::file_size(path, ignored);
     if (!ignored) {
@@ -63,7 +75,7 @@ void failAt(const std::string& file, std::size_t line, const std::string& what)
     throw Error(ErrorKind::Unreadable, fmt::format("{}:{}: {}", file, line, what));
 }
 
-std::string quoted(std::string_view text)
+std::string inQuotes(std::string_view text)
 {
     constexpr std::size_t kLongest = 40;
     std::string shown = "'";
@@ -162,7 +174,7 @@ double LineReader::number(const char* name)
         fail(fmt::format("the {} is missing.", name));
     }
     if (!parseNumber(field, value)) {
-        fail(fmt::format("{} is not a finite number; expected the {}.", quoted(field), name));
+        fail(fmt::format("{} is not a finite number; expected the {}.", inQuotes(field), name));
     }
     return value;
 }
@@ -175,7 +187,7 @@ std::int64_t LineReader::integer(const char* name)
         fail(fmt::format("the {} is missing.", name));
     }
     if (!parseNumber(field, value)) {
-        fail(fmt::format("{} is not a whole number; expected the {}.", quoted(field), name));
+        fail(fmt::format("{} is not a whole number; expected the {}.", inQuotes(field), name));
     }
     return value;
 }
@@ -189,13 +201,19 @@ std::size_t LineReader::count(const char* name)
     return static_cast<std::size_t>(value);
 }
 
-std::string_view LineReader::restOfLine()
+std::string_view LineReader::peekRest()
 {
     atEnd();
     std::string_view result = current_;
     while (!result.empty() && isSpace(result.back())) {
         result.remove_suffix(1);
     }
+    return result;
+}
+
+std::string_view LineReader::restOfLine()
+{
+    const std::string_view result = peekRest();
     current_ = {};
     return result;
 }

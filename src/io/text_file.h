@@ -9,6 +9,9 @@
 namespace tessera
 {
 
+/// Throws Error(Unreadable) if the file cannot be opened for reading.
+void requireReadable(const std::filesystem::path& path);
+
 /// The whole file as text. Throws Error(Unreadable) if it cannot be opened or read.
 std::string readTextFile(const std::filesystem::path& path);
 
@@ -16,7 +19,7 @@ std::string readTextFile(const std::filesystem::path& path);
 [[noreturn]] void failAt(const std::string& file, std::size_t line, const std::string& what);
 
 /// Text from a file as it may stand in a message: one line, printable, at most 40 characters.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 /// Parses all of a word as a finite double: any notation that C knows in decimal, a leading plus
 /// allowed. Returns false if the word is something else, is nan or infinite, or overflows.
@@ -51,7 +54,9 @@ public:
     std::int64_t integer(const char* name);
     /// A count: a whole number from 0 to 2^32 - 2.
     std::size_t count(const char* name);
-    /// The rest of this line, without comment and outer white space.
+    /// The rest of this line, without comment and outer white space; stays to be read.
+    std::string_view peekRest();
+    /// The same, and goes to its end.
     std::string_view restOfLine();
 
     const std::string& file() const { return file_; }

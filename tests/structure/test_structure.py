@@ -28,7 +28,7 @@ USES = {
     "pipeline": ["mesh"],
     "io": ["pipeline", "imprint"],
     "occt": ["pipeline", "imprint"],
-    "vtk": ["pipeline", "imprint"],
+    "vtk": ["io"],
     "python": ["io", "occt", "vtk"],
     "cli": ["io", "occt", "vtk"],
 }
