@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <concepts>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -29,7 +30,7 @@ public:
     {
         char digits[32];
         const auto result = std::to_chars(digits, digits + sizeof digits, value);
-        text_.append(digits, result.ptr);
+        text_.append(digits, static_cast<std::size_t>(result.ptr - digits));
         return *this;
     }
 

@@ -10,6 +10,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
+#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -88,7 +89,12 @@ RawMesh convert(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
     if (types == nullptr || types->GetNumberOfValues() != cells->GetNumberOfCells()) {
         fail(path, "the numbers of cells and of cell types differ; the file is damaged.");
     }
-    const vtkIdType entries = cells->GetConnectivityArray()->GetNumberOfTuples();
+    vtkDataArray* offsets = cells->GetOffsetsArray();
+    vtkDataArray* connectivity = cells->GetConnectivityArray();
+    const auto entry = [](vtkDataArray* array, vtkIdType i) {
+        return static_cast<vtkIdType>(array->GetComponent(i, 0));
+    };
+    const vtkIdType entries = connectivity->GetNumberOfTuples();
     for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
         CellKind kind {};
         const Use use = kindOf(types->GetValue(c), kind);
@@ -100,8 +106,8 @@ RawMesh convert(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
         if (use == Use::LeftOut) {
             continue;
         }
-        const vtkIdType begin = cells->GetOffset(c);
-        const vtkIdType end = cells->GetOffset(c + 1);
+        const vtkIdType begin = entry(offsets, c);
+        const vtkIdType end = entry(offsets, c + 1);
         if (begin < 0 || end > entries || end - begin != static_cast<vtkIdType>(nodesOf(kind))) {
             fail(path, fmt::format("cell {} has not as many nodes as its type; the file is "
                                    "damaged.",
@@ -109,7 +115,7 @@ RawMesh convert(vtkUnstructuredGrid& grid, const std::filesystem::path& path)
         }
         mesh.cells.push_back({kind, static_cast<std::uint32_t>(mesh.cellNodes.size()), c});
         for (vtkIdType i = begin; i < end; ++i) {
-            const auto node = static_cast<vtkIdType>(cells->GetConnectivityArray()->GetComponent(i, 0));
+            const vtkIdType node = entry(connectivity, i);
             if (node < 0 || node >= nodeCount) {
                 fail(path, fmt::format("cell {} has a node {}; there are {} nodes, numbered from "
                                        "0.",
