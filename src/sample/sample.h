@@ -13,22 +13,33 @@ struct SampleOptions
 {
     /// False: straight curves stay whole whatever the size (--no-refine).
     bool straightSegments = true;
-    /// At least so many pieces for a full turn of the tangent, so that a circle far smaller than the
-    /// size still looks like one; 3 .. 10000.
+    /// At least so many pieces for a full turn of the tangent, so that a circle far smaller than
+    /// the size still looks like one; 3 .. 10000.
     double piecesPerTurn = 8.0;
-    /// Greatest distance of a piece from its curve, in the input's unit; 0: no bound.
+    /// Greatest distance of a piece from its curve, in the input's unit; 0: no bound. Kept as far
+    /// as curvature tells it: sagitta = piece^2 curvature / 8.
     double chordError = 0.0;
 };
 
 /// Replaces each curve by straight pieces whose ends lie on it. A curve gets n pieces with equal
-/// shares of the integral of ds/h, n being the integral rounded so that each share is within
-/// [0.7, 1.4] where one piece is not already shorter; more where piecesPerTurn or chordError ask for
-/// it, at least 3 on a closed curve and 2 on a curved one that shares both ends with another curve.
-/// Independent of the curve's direction. Curves of zero length are dropped and named in
-/// Pslg::messages; Role::Ignored is left out silently.
-/// Throws Error(InvalidOption) where the size is not positive and finite, Error(TooLarge) when more
-/// than 2^28 pieces would result.
+/// shares of the integral of ds/h (ds/h being raised where it bends too much for piecesPerTurn or
+/// chordError); n is that integral rounded so that each share lies within [0.7, 1.4] unless one
+/// piece is already less. It is higher where piecesPerTurn or chordError need it, at least 3 on a
+/// closed curve and 2 on a curved one that shares both ends with another curve. Corners inside a
+/// curve become points.
+/// The result does not depend on a curve's direction, and curves with the same geometry are cut at
+/// the same points, bit for bit. Curves of zero length are dropped and named in Pslg::messages;
+/// curves with Role::Ignored are left out silently.
+/// Throws Error(InvalidOption) where the size is not positive and finite, and for options out of
+/// range; Error(TooLarge) when more than kMostPieces would result.
 Pslg sample(const CurveNetwork& network, const SizeField& size, const SampleOptions& options,
             Execution& execution);
+
+/// The most pieces that sample() makes.
+inline constexpr double kMostPieces = 67108864.0;
+
+/// The number of pieces for a curve whose integral of ds/h is x: the one for which x / n is nearest
+/// to 1 in ratio, and never above 1.4.
+std::size_t pieceCount(double x);
 
 } // namespace tessera

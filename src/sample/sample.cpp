@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include "sample/sample.h"
+
+#include "base/error.h"
+#include "curve/curve_tools.h"
+#include "curve/curve_views.h"
+#include "curve/line.h"
+#include "sample/size_integral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace tessera
+{
+
+namespace
+{
+
+/// A tangent that turns by more than this (radians) at a break makes a corner.
+constexpr double kCorner = 0.05;
+
+bool isCorner(const Curve& curve, double t)
+{
+    const double step = 1e-7 * (curve.last() - curve.first());
+    const Vec2 before = curve.derivative(t - step);
+    const Vec2 after = curve.derivative(t + step);
+    return std::abs(std::atan2(cross(before, after), dot(before, after))) > kCorner;
+}
+
+/// A curve and the direction in which it is sampled: views on a base curve are taken off, so that
+/// all curves with the same geometry are cut at the same points.
+struct Oriented
+{
+    const Curve* curve;
+    bool reversed;
+};
+
+Oriented unwrap(const Curve* curve)
+{
+    bool reversed = false;
+    while (const auto* view = dynamic_cast<const ReversedCurve*>(curve)) {
+        curve = view->base().get();
+        reversed = !reversed;
+    }
+    return {curve, reversed};
+}
+
+bool lexicographicallyLess(Vec2 a, Vec2 b)
+{
+    return a.x != b.x ? a.x < b.x : a.y < b.y;
+}
+
+class Sampler
+{
+public:
+    Sampler(const CurveNetwork& network, const SizeField& size, const SampleOptions& options,
+            Execution& execution)
+        : network_(network)
+        , size_(size)
+        , options_(options)
+        , execution_(execution)
+        , sharesEnds_(findSharedEnds())
+    {
+        pslg_.points = network.points;
+    }
+
+    Pslg run()
+    {
+        for (std::size_t c = 0; c < network_.curves.size(); ++c) {
+            if (c % 256 == 0) {
+                execution_.report(static_cast<double>(c)
+                                  / static_cast<double>(network_.curves.size()));
+            }
+            const NetworkCurve& curve = network_.curves[c];
+            if (curve.role == Role::Ignored) {
+                continue;
+            }
+            if (curve.geometry) {
+                sampleCurved(CurveId(c), curve);
+            }
+            else {
+                sampleStraight(CurveId(c), curve);
+            }
+            requireFewPieces(static_cast<double>(pslg_.segments.size()));
+        }
+        tellDropped();
+        return std::move(pslg_);
+    }
+
+private:
+    using Ends = std::pair<std::uint32_t, std::uint32_t>;
+
+    static Ends endsOf(const NetworkCurve& curve)
+    {
+        return std::minmax(curve.start.value, curve.end.value);
+    }
+
+    /// By curve: another one that is meshed has the same two ends.
+    std::vector<std::uint8_t> findSharedEnds() const
+    {
+        std::vector<std::pair<Ends, std::size_t>> byEnds;
+        for (std::size_t c = 0; c < network_.curves.size(); ++c) {
+            if (network_.curves[c].role != Role::Ignored) {
+                byEnds.emplace_back(endsOf(network_.curves[c]), c);
+            }
+        }
+        std::sort(byEnds.begin(), byEnds.end());
+        std::vector<std::uint8_t> shared(network_.curves.size(), 0);
+        for (std::size_t i = 1; i < byEnds.size(); ++i) {
+            if (byEnds[i].first == byEnds[i - 1].first) {
+                shared[byEnds[i].second] = shared[byEnds[i - 1].second] = 1;
+            }
+        }
+        return shared;
+    }
+
+    void sampleStraight(CurveId id, const NetworkCurve& curve)
+    {
+        const Vec2 a = network_.points[curve.start.index()];
+        const Vec2 b = network_.points[curve.end.index()];
+        if (a == b) {
+            dropped_.push_back(id);
+            return;
+        }
+        const bool reversed = lexicographicallyLess(b, a);
+        const LineCurve line = reversed ? LineCurve(b, a) : LineCurve(a, b);
+        std::vector<double> parameters;
+        if (options_.straightSegments) {
+            parameters = straightParameters(line, distance(a, b));
+        }
+        addPieces(id, curve, line, reversed, parameters, 0.0, 1.0);
+    }
+
+    /// Inner parameters of a line over [0, 1].
+    std::vector<double> straightParameters(const LineCurve& line, double length)
+    {
+        std::vector<double> parameters;
+        if (const double uniform = size_.uniformSize(); uniform > 0.0) {
+            requireFewPieces(length / checkedSize(size_, line.point(0.5)));
+            const std::size_t n = pieceCount(length / uniform);
+            for (std::size_t k = 1; k < n; ++k) {
+                parameters.push_back(static_cast<double>(k) / static_cast<double>(n));
+            }
+            return parameters;
+        }
+        const double ends[2] = {0.0, 1.0};
+        const SizeIntegral integral(line, ends, size_, options_, execution_);
+        const std::size_t n = pieceCount(integral.total());
+        for (std::size_t k = 1; k < n; ++k) {
+            parameters.push_back(
+                integral.parameterAt(static_cast<double>(k) / static_cast<double>(n)));
+        }
+        return parameters;
+    }
+
+    void sampleCurved(CurveId id, const NetworkCurve& curve)
+    {
+        const auto [geometry, reversed] = unwrap(curve.geometry.get());
+        const std::vector<std::vector<double>> stretches = splitAtCorners(*geometry);
+        std::vector<SizeIntegral> integrals;
+        std::vector<std::size_t> counts;
+        double length = 0.0;
+        for (const std::vector<double>& ends : stretches) {
+            integrals.emplace_back(*geometry, ends, size_, options_, execution_);
+            counts.push_back(countFor(integrals.back()));
+            length += integrals.back().length();
+        }
+        if (!(length > 0.0)) {
+            dropped_.push_back(id);
+            return;
+        }
+        raise(counts, integrals, curve);
+        std::vector<double> parameters;
+        for (std::size_t i = 0; i < stretches.size(); ++i) {
+            if (i > 0) {
+                parameters.push_back(stretches[i].front());
+            }
+            for (std::size_t k = 1; k < counts[i]; ++k) {
+                parameters.push_back(integrals[i].parameterAt(static_cast<double>(k)
+                                                              / static_cast<double>(counts[i])));
+            }
+        }
+        addPieces(id, curve, *geometry, reversed, parameters, geometry->first(),
+                  geometry->last());
+    }
+
+    /// Parameter lists from corner to corner, with the smooth breaks between.
+    static std::vector<std::vector<double>> splitAtCorners(const Curve& curve)
+    {
+        std::vector<std::vector<double>> stretches {{curve.first()}};
+        for (const double t : curve.breaks()) {
+            stretches.back().push_back(t);
+            if (isCorner(curve, t)) {
+                stretches.push_back({t});
+            }
+        }
+        stretches.back().push_back(curve.last());
+        return stretches;
+    }
+
+    std::size_t countFor(const SizeIntegral& integral) const
+    {
+        if (integral.straight()) {
+            return options_.straightSegments ? pieceCount(integral.total()) : 1;
+        }
+        const double byBending = std::ceil(integral.byBending() * (1.0 - 1e-6));
+        return std::max(pieceCount(integral.total()), static_cast<std::size_t>(byBending));
+    }
+
+    /// A closed curve needs 3 pieces to enclose anything, one that shares both ends 2 to differ.
+    void raise(std::vector<std::size_t>& counts, const std::vector<SizeIntegral>& integrals,
+               const NetworkCurve& curve) const
+    {
+        const bool bent = counts.size() > 1
+            || std::any_of(integrals.begin(), integrals.end(),
+                           [](const SizeIntegral& i) { return !i.straight(); });
+        std::size_t least = 1;
+        if (bent && curve.start == curve.end) {
+            least = 3;
+        }
+        else if (bent && sharesEnds_[static_cast<std::size_t>(&curve - network_.curves.data())] != 0) {
+            least = 2;
+        }
+        std::size_t sum = 0;
+        for (const std::size_t count : counts) {
+            sum += count;
+        }
+        for (; sum < least; ++sum) {
+            std::size_t longest = 0;
+            for (std::size_t i = 1; i < counts.size(); ++i) {
+                const double share = integrals[i].length() / static_cast<double>(counts[i]);
+                const double best =
+                    integrals[longest].length() / static_cast<double>(counts[longest]);
+                longest = share > best ? i : longest;
+            }
+            ++counts[longest];
+        }
+    }
+
+    /// parameters: the inner ones, ascending on geometry.
+    void addPieces(CurveId id, const NetworkCurve& curve, const Curve& geometry, bool reversed,
+                   std::vector<double>& parameters, double first, double last)
+    {
+        std::vector<Vec2> points;
+        points.reserve(parameters.size());
+        for (const double t : parameters) {
+            points.push_back(geometry.point(t));
+        }
+        if (reversed) {
+            std::reverse(parameters.begin(), parameters.end());
+            std::reverse(points.begin(), points.end());
+            for (double& t : parameters) {
+                t = first + (last - t);
+            }
+        }
+        PointId previous = curve.start;
+        double tPrevious = first;
+        for (std::size_t k = 0; k < parameters.size(); ++k) {
+            pslg_.points.push_back(points[k]);
+            const PointId here(pslg_.points.size() - 1);
+            pslg_.segments.push_back({previous, here, id, tPrevious, parameters[k]});
+            previous = here;
+            tPrevious = parameters[k];
+        }
+        pslg_.segments.push_back({previous, curve.end, id, tPrevious, last});
+    }
+
+    void tellDropped()
+    {
+        if (dropped_.empty()) {
+            return;
+        }
+        const NetworkCurve& curve = network_.curves[dropped_.front().index()];
+        const Vec2 p = network_.points[curve.start.index()];
+        char place[80];
+        std::snprintf(place, sizeof place, "(%.6g, %.6g)", p.x, p.y);
+        pslg_.messages.push_back(
+            dropped_.size() == 1
+                ? "A curve of zero length at " + std::string(place) + " was left out."
+                : std::to_string(dropped_.size()) + " curves of zero length were left out, the"
+                    " first at " + place + ".");
+    }
+
+    const CurveNetwork& network_;
+    const SizeField& size_;
+    const SampleOptions& options_;
+    Execution& execution_;
+    std::vector<std::uint8_t> sharesEnds_;
+    std::vector<CurveId> dropped_;
+    Pslg pslg_;
+};
+
+} // namespace
+
+std::size_t pieceCount(double x)
+{
+    const double below = std::max(1.0, std::floor(x));
+    const double limit = std::min(1.4 * below, std::sqrt(below * (below + 1.0)));
+    return static_cast<std::size_t>(x <= limit ? below : below + 1.0);
+}
+
+Pslg sample(const CurveNetwork& network, const SizeField& size, const SampleOptions& options,
+            Execution& execution)
+{
+    if (!(options.piecesPerTurn >= 3.0 && options.piecesPerTurn <= 10000.0)) {
+        throw Error(ErrorKind::InvalidOption,
+                    "The pieces for a full turn must be between 3 and 10000.");
+    }
+    if (!(options.chordError >= 0.0) || !std::isfinite(options.chordError)) {
+        throw Error(ErrorKind::InvalidOption,
+                    "The chord error must be a number above 0 (or 0 for none).");
+    }
+    return Sampler(network, size, options, execution).run();
+}
+
+} // namespace tessera

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "curve/curve_network.h"
+#include "sizing/graded_size.h"
+
+#include <vector>
+
+namespace tessera
+{
+
+struct CurveSourceOptions
+{
+    double piecesPerTurn = 8.0; ///< pieces for a full turn of the tangent
+    double chordError = 0.0;    ///< greatest distance of a piece from its curve; 0: no bound
+    double minSize = 0.0;       ///< no source is smaller; 0: a thousandth of the size in place
+};
+
+/// Where the curves need pieces clearly shorter than base asks for (below 0.7 of it): whole curves
+/// that are short, stretches that are strongly curved.
+std::vector<SizeSource> curveSources(const CurveNetwork& network, const SizeField& base,
+                                     const CurveSourceOptions& options);
+
+} // namespace tessera
