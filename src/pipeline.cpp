@@ -189,7 +189,9 @@ private:
         execution_.beginStage("arrange", 0.0, 0.05);
         MeshReport& report = result_.report;
         report.inputPoints = input_.points.size();
-        report.inputSegments = input_.curves.size();
+        for (const NetworkCurve& curve : input_.curves) {
+            report.inputSegments += curve.geometry == nullptr ? 1 : 0;
+        }
         report.inputCurves = input_.curves.size();
         report.inputOperands = input_.operands.size();
         ArrangeOptions arrangeOptions;

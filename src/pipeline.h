@@ -49,7 +49,10 @@ struct StageSeconds
 
 struct MeshReport
 {
-    std::size_t inputPoints = 0, inputSegments = 0, inputCurves = 0, inputOperands = 0;
+    std::size_t inputPoints = 0;
+    std::size_t inputSegments = 0; ///< straight curves
+    std::size_t inputCurves = 0;   ///< all curves
+    std::size_t inputOperands = 0;
     RecoveryReport recovery;
     std::size_t regions = 0;
     double area = 0.0;
