@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "python/network_input.h"
+
+#include "curve/default_roles.h"
+#include "io/append_network.h"
+#include "occt/read_cad.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace py = pybind11;
+
+namespace tessera::python
+{
+namespace
+{
+
+[[noreturn]] void refuse(const std::string& message)
+{
+    raise(Error(ErrorKind::InvalidInput, message), {}, {});
+}
+
+std::vector<Vec2> pointsFrom(const Coordinates& array, const std::string& what)
+{
+    if (array.size() > 0 && (array.ndim() != 2 || array.shape(1) != 2)) {
+        refuse(what + " must be an array of shape (n, 2).");
+    }
+    std::vector<Vec2> points(array.size() > 0 ? static_cast<std::size_t>(array.shape(0)) : 0);
+    const double* data = array.data();
+    for (Vec2& point : points) {
+        point = {data[0], data[1]};
+        data += 2;
+    }
+    return points;
+}
+
+void embedUnusedPoints(CurveNetwork& network, OperandId operand)
+{
+    std::vector<std::uint8_t> used(network.points.size(), 0);
+    for (const NetworkCurve& curve : network.curves) {
+        used[curve.start.index()] = 1;
+        used[curve.end.index()] = 1;
+    }
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
+        if (used[i] == 0) {
+            network.embedded.push_back({PointId(i), operand, {}});
+        }
+    }
+}
+
+} // namespace
+
+void NetworkInput::beginSource(const std::string& kind, std::vector<std::string> elements)
+{
+    sources_.push_back({network_.curves.size(), kind, std::move(elements)});
+}
+
+PlaceName NetworkInput::nameOf(std::size_t source, std::uint32_t number) const
+{
+    const Source& from = sources_[source];
+    const std::size_t index = from.kind == "Edge" ? number - 1 : number;
+    std::string element = index < from.elements.size() && !from.elements[index].empty()
+        ? from.elements[index]
+        : from.kind + std::to_string(number);
+    return {{}, std::move(element), static_cast<std::int64_t>(source)};
+}
+
+void NetworkInput::raise(const Error& error) const
+{
+    std::vector<PlaceName> names;
+    for (const ErrorPlace& place : error.places()) {
+        PlaceName name;
+        if (place.curve < network_.curves.size()) {
+            const auto after = std::upper_bound(
+                sources_.begin(), sources_.end(), place.curve,
+                [](std::uint32_t curve, const Source& s) { return curve < s.firstCurve; });
+            name = nameOf(static_cast<std::size_t>(after - sources_.begin()) - 1,
+                          network_.curves[place.curve].source);
+            if (place.curve < network_.curveNames.size()) {
+                name.curve = network_.curveNames[place.curve];
+            }
+        }
+        names.push_back(std::move(name));
+    }
+    python::raise(error, names, frame_);
+}
+
+void NetworkInput::addShapes(const std::vector<Shape>& shapes)
+{
+    std::vector<BrepText> texts;
+    for (const Shape& shape : shapes) {
+        CadOptions options;
+        options.looseEdges = shape.looseEdges;
+        options.name = shape.name;
+        options.edgeNames = shape.edgeNames;
+        options.vertexNames = shape.vertexNames;
+        options.edgeRoles = shape.roles;
+        texts.push_back({shape.brep, std::move(options),
+                         shape.name.empty() ? std::string("shape") : shape.name});
+    }
+    const std::size_t firstSource = sources_.size();
+    const std::size_t before = network_.curves.size();
+    try {
+        std::vector<CadInput> inputs;
+        {
+            const py::gil_scoped_release release;
+            inputs = readBrepTexts(texts);
+        }
+        for (std::size_t i = 0; i < inputs.size(); ++i) {
+            beginSource("Edge", shapes[i].elements);
+            frame_ = inputs[i].frame;
+            defaultWeld_ = std::max(defaultWeld_, inputs[i].defaultWeld);
+            appendNetwork(network_, std::move(inputs[i].network));
+        }
+    }
+    catch (const CadError& error) {
+        sources_.resize(firstSource);
+        for (const Shape& shape : shapes) {
+            sources_.push_back({before, "Edge", shape.elements});
+        }
+        std::vector<PlaceName> names;
+        for (const std::uint32_t edge : error.edges()) {
+            names.push_back(edge == 0 ? PlaceName {} : nameOf(firstSource + error.shape(), edge));
+        }
+        python::raise(error, names, frame_);
+    }
+    catch (const Error& error) {
+        python::raise(error, {}, frame_);
+    }
+}
+
+void NetworkInput::addSegments(const Coordinates& points, const Indices& segments,
+                               const Indices& markers, const std::string& name, const Roles& roles)
+{
+    if (segments.size() > 0 && (segments.ndim() != 2 || segments.shape(1) != 2)) {
+        refuse("segments must be an array of shape (m, 2) of point indices.");
+    }
+    const std::size_t count = segments.size() > 0 ? static_cast<std::size_t>(segments.shape(0)) : 0;
+    if (markers.size() > 0 && static_cast<std::size_t>(markers.size()) != count) {
+        refuse("markers must have one number for each segment.");
+    }
+    CurveNetwork network;
+    network.points = pointsFrom(points, "points");
+    network.operands.push_back({name});
+    const auto pointCount = static_cast<std::int64_t>(network.points.size());
+    const OperandId operand(std::uint32_t {0});
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::int64_t a = segments.data()[2 * i];
+        const std::int64_t b = segments.data()[2 * i + 1];
+        if (a < 0 || b < 0 || a >= pointCount || b >= pointCount) {
+            refuse("segments[" + std::to_string(i) + "] = (" + std::to_string(a) + ", "
+                   + std::to_string(b) + ") names a point that does not exist; there are "
+                   + std::to_string(pointCount) + ", counted from 0.");
+        }
+        NetworkCurve curve;
+        curve.start = PointId(static_cast<std::uint32_t>(a));
+        curve.end = PointId(static_cast<std::uint32_t>(b));
+        curve.operand = operand;
+        curve.source = static_cast<std::uint32_t>(i);
+        if (markers.size() > 0) {
+            const std::int64_t marker = markers.data()[i];
+            if (marker != static_cast<std::int32_t>(marker)) {
+                refuse("markers[" + std::to_string(i) + "] does not fit into 32 bits.");
+            }
+            curve.marker = static_cast<std::int32_t>(marker);
+        }
+        network.curves.push_back(std::move(curve));
+    }
+    assignPolyRoles(network, operand);
+    for (const auto& [segment, role] : roles) {
+        if (segment >= count) {
+            raise(Error(ErrorKind::InvalidOption,
+                        "There is no segment " + std::to_string(segment) + "; there are "
+                            + std::to_string(count) + ", counted from 0."));
+        }
+        network.curves[segment].role = role;
+    }
+    embedUnusedPoints(network, operand);
+    beginSource("Segment", {});
+    appendNetwork(network_, std::move(network));
+}
+
+void NetworkInput::addPolygon(const std::vector<Coordinates>& rings, const std::string& name,
+                              Role role)
+{
+    CurveNetwork network;
+    network.operands.push_back({name, true});
+    for (const Coordinates& ring : rings) {
+        std::vector<Vec2> points = pointsFrom(ring, "a polygon");
+        if (points.size() > 1 && points.front() == points.back()) {
+            points.pop_back();
+        }
+        if (points.size() < 3) {
+            refuse("A polygon needs at least 3 different points; one has "
+                   + std::to_string(points.size()) + ".");
+        }
+        const auto first = static_cast<std::uint32_t>(network.points.size());
+        const auto count = static_cast<std::uint32_t>(points.size());
+        network.points.insert(network.points.end(), points.begin(), points.end());
+        for (std::uint32_t i = 0; i < count; ++i) {
+            NetworkCurve curve;
+            curve.start = PointId(first + i);
+            curve.end = PointId(first + (i + 1) % count);
+            curve.operand = OperandId(std::uint32_t {0});
+            curve.role = role;
+            curve.source = first + i;
+            network.curves.push_back(std::move(curve));
+            network.curveNames.push_back(name);
+        }
+    }
+    beginSource("Segment", {});
+    appendNetwork(network_, std::move(network));
+}
+
+} // namespace tessera::python

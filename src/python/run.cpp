@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "python/run.h"
+
+#include "base/execution.h"
+#include "pipeline.h"
+#include "python/mesh_result.h"
+#include "python/network_input.h"
+
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <string>
+
+namespace py = pybind11;
+
+namespace tessera::python
+{
+namespace
+{
+
+/// Brings progress from the running mesher to Python, at most every kInterval, and what Python says
+/// (an exception of the callback, Ctrl-C) back as a cancellation.
+class ProgressBridge
+{
+public:
+    ProgressBridge(py::object callback, Execution& execution)
+        : callback_(std::move(callback))
+        , execution_(execution)
+    {
+        execution.setProgress([this](double fraction, const char* stage) {
+            const auto now = Execution::Clock::now();
+            if (now - last_ >= kInterval) {
+                last_ = now;
+                tell(fraction, stage);
+            }
+        });
+    }
+    ~ProgressBridge() { execution_.setProgress({}); }
+    ProgressBridge(const ProgressBridge&) = delete;
+    ProgressBridge& operator=(const ProgressBridge&) = delete;
+
+    /// GIL released on entry.
+    void tell(double fraction, const char* stage)
+    {
+        const py::gil_scoped_acquire acquire;
+        try {
+            if (PyErr_CheckSignals() != 0) {
+                throw py::error_already_set();
+            }
+            if (!callback_.is_none()) {
+                callback_(fraction, stage);
+            }
+        }
+        catch (const py::error_already_set&) {
+            if (!failure_) {
+                failure_ = std::current_exception();
+            }
+            execution_.cancel();
+        }
+    }
+
+    /// What the callback raised, if anything. GIL held.
+    void rethrow() const
+    {
+        if (failure_) {
+            std::rethrow_exception(failure_);
+        }
+    }
+
+private:
+    static constexpr std::chrono::milliseconds kInterval {50};
+
+    py::object callback_;
+    Execution& execution_;
+    Execution::Clock::time_point last_ = Execution::Clock::now();
+    std::exception_ptr failure_;
+};
+
+std::shared_ptr<MeshHolder> runMesh(const NetworkInput& input, MeshOptions options,
+                                    Execution& execution, const py::object& progress)
+{
+    if (options.weld < 0.0) {
+        options.weld = input.defaultWeld();
+    }
+    auto holder = std::make_shared<MeshHolder>();
+    holder->report = "{}";
+    holder->network = input.network();
+    holder->frame = input.frame();
+    ProgressBridge bridge(progress, execution);
+    try {
+        const py::gil_scoped_release release;
+        holder->result = meshNetwork(holder->network, options, execution);
+        bridge.tell(1.0, "done");
+    }
+    catch (const Error& error) {
+        bridge.rethrow();
+        input.raise(error);
+    }
+    bridge.rethrow();
+    return holder;
+}
+
+} // namespace
+
+void defineRun(py::module_& module)
+{
+    py::class_<Execution, std::shared_ptr<Execution>>(
+        module, "Execution",
+        "Handle of one run. cancel() may be called from any thread and ends the run with a "
+        "CancelledError.")
+        .def(py::init<>())
+        .def("cancel", &Execution::cancel)
+        .def("set_time_limit", &Execution::setTimeLimit, py::arg("seconds"));
+
+    py::class_<MeshOptions>(module, "MeshOptions")
+        .def(py::init<>())
+        .def_readwrite("size", &MeshOptions::size)
+        .def_readwrite("min_size", &MeshOptions::minSize)
+        .def_readwrite("growth", &MeshOptions::growth)
+        .def_readwrite("min_angle", &MeshOptions::minAngle)
+        .def_readwrite("max_area", &MeshOptions::maxArea)
+        .def_readwrite("weld", &MeshOptions::weld)
+        .def_readwrite("order", &MeshOptions::order)
+        .def_readwrite("fill", &MeshOptions::fill)
+        .def_readwrite("recovery", &MeshOptions::recovery)
+        .def_readwrite("refine", &MeshOptions::refine)
+        .def_readwrite("optimize", &MeshOptions::optimize);
+
+    module.def("mesh", &runMesh, py::arg("input"), py::arg("options"), py::arg("execution"),
+               py::arg("progress") = py::none());
+}
+
+} // namespace tessera::python

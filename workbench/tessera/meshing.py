@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""tessera.mesh(): checks the options and runs the mesher."""
+
+import math
+
+from tessera.errors import InvalidOptionError
+from tessera.native import module as native
+from tessera.result import Mesh
+from tessera.sources import prepare
+
+Execution = native.Execution
+VERSION = native.version
+
+_FILLS = {
+    "even-odd": native.FillRule.even_odd,
+    "nonzero": native.FillRule.nonzero,
+    "positive": native.FillRule.positive,
+    "negative": native.FillRule.negative,
+    "all": native.FillRule.all,
+    "hull": native.FillRule.hull,
+}
+_RECOVERIES = {"steiner": native.Recovery.steiner, "cavity": native.Recovery.cavity}
+
+
+def mesh(
+    source,
+    size=None,
+    *,
+    min_size=None,
+    growth=0.3,
+    order=1,
+    fill="even-odd",
+    min_angle=30.0,
+    max_area=None,
+    weld=None,
+    constraint=(),
+    boundary=(),
+    construction=False,
+    recovery="cavity",
+    refine=True,
+    optimize=True,
+    stages=None,
+    time_limit=None,
+    progress=None,
+    execution=None,
+):
+    """Meshes a sketch, a planar shape or arrays with triangles; returns a tessera.Mesh.
+
+    source        a sketch, a document object with a Shape, (object, ["Face1", ...]), a shape;
+                  (points, segments) or (points, segments, markers) with points (n, 2) and segments
+                  (m, 2) of indices from 0; a polygon (n, 2), or a list of its outline and holes; or
+                  a list of any one kind: each item is one operand, and what any of them covers is
+                  meshed. Lengths in the source's unit (FreeCAD: mm).
+    size          target edge length, > 0; None: diagonal of the bounding box / 40.
+    min_size      nowhere smaller, > 0; None: no bound.
+    growth        greatest change of the edge length per length, 0 < growth <= 1.
+    order         1, or 2 for triangles with mid nodes on the curves.
+    fill          what is inside: "even-odd", "nonzero", "positive", "negative", "all", "hull".
+    min_angle     in degrees, 0 .. 33; smaller angles of the input stay.
+    max_area      of a triangle, > 0; None: no bound.
+    weld          ends of curves closer than this become one; None: 0 for arrays, the CAD tolerance
+                  for shapes.
+    constraint    curves that are kept in the mesh but bound nothing; boundary: curves that bound.
+                  Numbers (of Geometry in a sketch, of edges from 1 in a shape, of segments from 0),
+                  names ("Edge7", "Geometry3", "Sketch_Geometry3"), and for constraint also further
+                  FreeCAD objects, links and shapes.
+    construction  True: construction geometry of sketches joins as constraints.
+    recovery      "cavity" or "steiner" (the paper's); the mesh is the same.
+    refine        False: no interior points, straight curves stay whole.
+    optimize      False: points are not moved afterwards.
+    stages        folder for a picture of each stage.
+    time_limit    seconds; progress: called as progress(fraction, stage) a few times a second;
+    execution     a tessera.Execution, whose cancel() ends the run from another thread.
+
+    Raises a subclass of tessera.Error; an exception raised by progress ends the run and is passed
+    on.
+    """
+    options = native.MeshOptions()
+    options.size = _positive("size", size)
+    options.min_size = _positive("min_size", min_size)
+    options.growth = _number("growth", growth)
+    options.min_angle = _number("min_angle", min_angle)
+    options.max_area = _positive("max_area", max_area)
+    options.weld = -1.0 if weld is None else _not_negative("weld", weld)
+    options.order = _choice("order", order, {1: 1, 2: 2})
+    options.fill = _choice("fill", fill, _FILLS)
+    options.recovery = _choice("recovery", recovery, _RECOVERIES)
+    options.refine = bool(refine)
+    options.optimize = bool(optimize)
+    if progress is not None and not callable(progress):
+        raise InvalidOptionError("progress must be a function of (fraction, stage).")
+    run = Execution() if execution is None else execution
+    if time_limit is not None:
+        run.set_time_limit(_positive("time_limit", time_limit))
+    prepared = prepare(source, bool(construction), constraint, boundary)
+    return Mesh(native.mesh(prepared.network, options, run, progress), prepared.base)
+
+
+def _number(name, value):
+    value = getattr(value, "Value", value)  # of a FreeCAD quantity
+    if isinstance(value, (bool, str, bytes)):
+        raise InvalidOptionError(f"{name} must be a number, not {value!r}.")
+    try:
+        number = float(value)
+    except (TypeError, ValueError) as error:
+        raise InvalidOptionError(f"{name} must be a number, not {value!r}.") from error
+    if not math.isfinite(number):
+        raise InvalidOptionError(f"{name} must be finite, not {number}.")
+    return number
+
+
+def _positive(name, value):
+    """0.0, which the compiled module takes for "choose", if the value is None."""
+    if value is None:
+        return 0.0
+    number = _number(name, value)
+    if number <= 0.0:
+        raise InvalidOptionError(f"{name} must be greater than 0, not {number:g}.")
+    return number
+
+
+def _not_negative(name, value):
+    number = _number(name, value)
+    if number < 0.0:
+        raise InvalidOptionError(f"{name} must not be negative, and is {number:g}.")
+    return number
+
+
+def _choice(name, value, choices):
+    try:
+        return choices[value]
+    except (KeyError, TypeError) as error:
+        names = ", ".join(repr(choice) for choice in choices)
+        raise InvalidOptionError(f"{name} must be one of {names}, not {value!r}.") from error

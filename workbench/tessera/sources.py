@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: MIT
+"""Turns what the user wants meshed into the compiled module's input.
+
+A source is a sketch, a document object with a Shape, a link (object, ["Face1", ...]), a shape, or
+arrays: (points, segments), (points, segments, markers), a polygon (n, 2), or a list of its outline
+and holes. A list of sources makes one operand of each.
+"""
+
+import numpy as np
+
+from tessera import arrays
+from tessera.errors import InvalidInputError, InvalidOptionError
+from tessera.native import module as native
+
+
+class Prepared:
+    """The compiled input, and where its frame lies: a 4 x 4 matrix."""
+
+    def __init__(self, network, base):
+        self.network = network
+        self.base = base
+
+
+def prepare(source, construction=False, constraint=(), boundary=()):
+    """Reads the source. Raises tessera.Error."""
+    items = _items(source)
+    names = _list(constraint, "constraint"), _list(boundary, "boundary")
+    if any(_looks_like_cad(item) for item in items):
+        return _prepare_cad(items, construction, *names)
+    return _prepare_arrays(items, *names)
+
+
+def _looks_like_cad(item):
+    if isinstance(item, tuple) and len(item) == 2 and hasattr(item[0], "Shape"):
+        return True
+    return any(hasattr(item, name) for name in ("exportBrepToString", "Shape", "Geometry"))
+
+
+def _items(source):
+    """The operands one by one."""
+    if source is None:
+        raise InvalidInputError("There is nothing to mesh; give a sketch, a shape or arrays.")
+    if _looks_like_cad(source) or arrays.is_points_and_segments(source):
+        return [source]
+    if arrays.is_ring(source):
+        return [source]
+    if isinstance(source, np.ndarray):
+        raise InvalidInputError(f"A polygon must have shape (n, 2), not {source.shape}.")
+    try:
+        items = list(source)
+    except TypeError as error:
+        raise InvalidInputError(
+            f"A {type(source).__name__} cannot be meshed; give a sketch, a shape, (points, segments) "
+            "or polygons."
+        ) from error
+    if not items:
+        raise InvalidInputError("The list of sources is empty; give a sketch, a shape or arrays.")
+    return items
+
+
+def _list(value, what):
+    """A list of elements; one may be given alone."""
+    if value is None:
+        return []
+    if isinstance(value, (str, int, np.integer)) or _looks_like_cad(value):
+        return [value]
+    try:
+        return list(value)
+    except TypeError as error:
+        raise InvalidOptionError(
+            f"{what} must be a list of numbers or names, not a {type(value).__name__}."
+        ) from error
+
+
+# Arrays
+
+
+def _prepare_arrays(items, constraint, boundary):
+    network = native.NetworkInput()
+    for number, item in enumerate(items):
+        name = f"Polygon{number + 1}"
+        if arrays.is_points_and_segments(item):
+            _add_segments(network, item, len(items), number, constraint, boundary)
+        else:
+            constrained = _has(constraint, name, number)
+            if _has(boundary, name, number):
+                constrained = False
+            role = native.Role.constraint if constrained else native.Role.boundary
+            network.add_polygon(arrays.rings_of(item), name, role)
+    for element in constraint + boundary:
+        if not _is_array_element(element, items):
+            raise InvalidOptionError(
+                f"There is nothing called {element!r} in the source; polygons are numbered from 0 or "
+                "called 'Polygon1', 'Polygon2', ...; segments are numbered from 0."
+            )
+    return Prepared(network, np.eye(4))
+
+
+def _has(elements, name, number):
+    return any(
+        element == name or (not isinstance(element, str) and element == number)
+        for element in elements
+    )
+
+
+def _is_array_element(element, items):
+    if len(items) == 1 and arrays.is_points_and_segments(items[0]):
+        return isinstance(element, (int, np.integer)) and 0 <= element < len(items[0][1])
+    if isinstance(element, (int, np.integer)):
+        return 0 <= element < len(items)
+    return element in {f"Polygon{i + 1}" for i in range(len(items))}
+
+
+def _add_segments(network, item, count, number, constraint, boundary):
+    points = arrays.points_array(item[0], "points")
+    segments = arrays.index_array(item[1], 2, "segments")
+    markers = arrays.index_array(item[2] if len(item) == 3 else (), 0, "markers")
+    roles = []
+    if count == 1:
+        for elements, role in ((constraint, native.Role.constraint), (boundary, native.Role.boundary)):
+            roles += [(int(i), role) for i in elements if not isinstance(i, str) and i >= 0]
+    network.add_segments(points, segments, markers, f"Segments{number + 1}", roles)
+
+
+# FreeCAD
+
+
+def _prepare_cad(items, construction, constraint, boundary):
+    from tessera import shapes
+
+    for item in items:
+        if not shapes.is_cad(item):
+            raise InvalidInputError("Arrays and FreeCAD shapes cannot be meshed together.")
+    sources = [shapes.make_source(item, construction) for item in items]
+    added = []
+    for element in constraint:
+        if shapes.is_cad(element):
+            added += _constrain_cad(sources, element, construction, shapes)
+        else:
+            source, number = _find(sources, element)
+            source.roles[number] = native.Role.constraint
+    for element in boundary:
+        source, number = _find(sources, element)
+        source.roles[number] = native.Role.boundary
+    everything = sources + added
+    prefixes = _prefixes(everything)
+
+    base = next((s.placement for s in everything if s.placement is not None), None)
+    network = native.NetworkInput()
+    network.add_shapes(
+        [
+            source.native(prefix, _to_frame(source, base))
+            for source, prefix in zip(everything, prefixes)
+        ]
+    )
+    return Prepared(network, np.eye(4) if base is None else matrix_of(base))
+
+
+def _to_frame(source, base):
+    """The placement that brings the source's shape into the frame of the first sketch, whose own
+    shape is in it already; None: leave it."""
+    if base is None or (source.placement is not None and source.placement.isSame(base)):
+        return None
+    if source.placement is not None:
+        return base.inverse().multiply(source.placement)
+    return base.inverse()
+
+
+def _prefixes(sources):
+    """What the names of each source's curves begin with: its label, made different from the others;
+    nothing for a single shape without a label."""
+    if len(sources) == 1:
+        return [sources[0].label]
+    prefixes = []
+    for number, source in enumerate(sources):
+        stem = prefix = source.label or f"Shape{number + 1}"
+        count = 1
+        while prefix in prefixes:
+            count += 1
+            prefix = f"{stem}_{count}"
+        prefixes.append(prefix)
+    return prefixes
+
+
+def _find(sources, element):
+    """(source, edge number) of a curve that the user named."""
+    found = []
+    for source, prefix in zip(sources, _prefixes(sources)):
+        name = element
+        if isinstance(element, (int, np.integer)) and len(sources) == 1:
+            name = source.number_kind + str(element)
+        if not isinstance(name, str):
+            continue
+        own = name[len(prefix) + 1:] if prefix and name.startswith(prefix + "_") else name
+        if own == name and len(sources) > 1:
+            continue
+        number = source.edge_number(own)
+        if number is not None:
+            found.append((source, number))
+    if len(found) != 1:
+        known = [
+            (prefix + "_" if prefix and len(sources) > 1 else "") + next(iter(source.numbers), "Edge1")
+            for source, prefix in zip(sources, _prefixes(sources))
+        ]
+        raise InvalidOptionError(
+            f"There is no curve called {element!r} in the source; curves are called, for example, "
+            f"{known[0]!r}."
+        )
+    return found[0]
+
+
+def _constrain_cad(sources, item, construction, shapes):
+    """Edges of a source get the role; other geometry is returned as further sources."""
+    if shapes.is_link(item):
+        owner, subs = item
+        subs = [subs] if isinstance(subs, str) else list(subs)
+        for source in sources:
+            numbers = [source.edge_number(sub) for sub in subs]
+            if source.owner is owner and subs and None not in numbers:
+                for number in numbers:
+                    source.roles[number] = native.Role.constraint
+                return []
+    source = shapes.make_source(item, construction)
+    for number in range(1, len(source.elements) + 1):
+        source.roles[number] = native.Role.constraint
+    return [source]
+
+
+def matrix_of(placement):
+    """A FreeCAD Placement as a 4 x 4 array."""
+    return np.array(placement.toMatrix().A, dtype=np.float64).reshape(4, 4)
