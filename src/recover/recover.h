@@ -93,7 +93,8 @@ struct RecoveryResult
 {
     Triangulation triangulation; ///< constrained bits set; constrained Delaunay
     ConstraintMap constraints;
-    /// Vertex of the input that each vertex was; changed only by snap rounding, which may merge.
+    /// By vertex of the given triangulation: the vertex that it is now. The identity but after snap
+    /// rounding, which may merge vertices.
     std::vector<std::uint32_t> vertexMap;
     /// By vertex: the first one that recovery made; all from here on are crossings.
     std::uint32_t firstCrossing = 0;
@@ -110,7 +111,8 @@ struct RecoveryObserver
 };
 
 /// Makes every constraint a connected chain of mesh edges (paper, section 2). Total: any
-/// constraints, crossing, overlapping, touching, repeated, of zero length.
+/// constraints, crossing, overlapping, touching, repeated, of zero length. The triangulation is
+/// Delaunay, without constrained edges. Throws Error(InvalidInput) for an end that is no vertex.
 RecoveryResult recoverBoundaries(Triangulation triangulation,
                                  std::span<const ConstraintEnds> constraints,
                                  RecoveryStrategy strategy, Execution& execution,
@@ -118,7 +120,8 @@ RecoveryResult recoverBoundaries(Triangulation triangulation,
 
 /// Proves that every constraint is a connected chain of constrained mesh edges within the rounding
 /// bound, that every constrained edge lies on a constraint, and that the maps agree. One sentence a
-/// problem. Use together with verify(triangulation).
+/// problem. Use together with verify(triangulation). inputPoints: the points of the triangulation
+/// that was given to recoverBoundaries(), [0] unused.
 std::vector<std::string> verifyConstraints(const RecoveryResult& result,
                                            std::span<const ConstraintEnds> constraints,
                                            std::span<const Vec2> inputPoints);

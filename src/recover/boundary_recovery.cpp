@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: MIT
+
+// Boundary recovery (paper, section 2) with crossings taken from the original segments.
+//
+// Each segment is followed from its start to its end. From a vertex of its chain the way toward the
+// end leads to the next vertex, which is
+//   - an input vertex on the segment (an exact zero against the original line), or
+//   - the crossing with the first constrained edge in the way: the crossing of the two *original*
+//     segments, correctly rounded (predicates/crossing.h). It splits the edge, or is one of its
+//     ends or the vertex at hand; or, rounded, it lies outside the two triangles beside the edge:
+//     then it is inserted wherever it falls, and the pieces of both segments are recovered again.
+// The piece between the two vertices is then recovered:
+//   Cavity   the triangles that it crosses are removed, and both polygons beside it re-meshed;
+//   Steiner  step 1: a Steiner point at every intersection of the segment with a mesh edge. Those on
+//            constrained edges are the crossings, and stay. Step 2: each of the others is deleted:
+//            the cavity it leaves is re-meshed and split along the boundary. As rounded points lie
+//            beside the line, the boundary may cross further triangles; they belong to the cavity.
+//            A point that rounding puts outside both triangles is left out of step 1.
+//
+// Invariant: every vertex of a chain is the correct rounding of a true point of its segment. Since
+// rounding is monotone, a chain never goes backward in x or y, and lies within half a unit in the
+// last place of the segment.
+//
+// Ill-conditioned: a piece meets a constraint that the original does not cross, or crosses again; an
+// order along a segment that rounding turned over; a vertex exactly on a piece although its segment
+// does not pass it. All these end the run; snap rounding takes over (snap_rounding.h). Vertices and
+// segments whose true distances exceed some units in the last place never cause them.
+//
+// It ends: every step adds an incidence (segment, vertex), and there are finitely many crossings.
+// Cost: the triangles crossed by the pieces, and a constant number of flips and exact signs each.
+
+#include "recover/boundary_recovery.h"
+
+#include "delaunay/delaunay.h"
+#include "predicates/crossing.h"
+#include "predicates/predicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace tessera
+{
+namespace
+{
+
+/// Whether the closed segments ab and cd meet in exactly one point.
+bool meetInPoint(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
+{
+    const int sideC = orient2d(a, b, c);
+    const int sideD = orient2d(a, b, d);
+    return sideC * sideD <= 0 && (sideC != 0 || sideD != 0)
+        && orient2d(c, d, a) * orient2d(c, d, b) <= 0;
+}
+
+/// v is zero or points the same way as direction, which is not backward in either axis.
+bool sameWay(double v, double direction)
+{
+    return v == 0.0 || (v > 0.0 ? direction > 0.0 : direction < 0.0);
+}
+
+bool inBox(Vec2 a, Vec2 b, Vec2 p)
+{
+    return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y
+        && p.y <= std::max(a.y, b.y);
+}
+
+double greatestCoordinate(const Triangulation& mesh)
+{
+    double greatest = 0.0;
+    for (std::size_t v = 1; v < mesh.points.size(); ++v) {
+        greatest
+            = std::max({greatest, std::fabs(mesh.points[v].x), std::fabs(mesh.points[v].y)});
+    }
+    return greatest;
+}
+
+} // namespace
+
+BoundaryRecovery::BoundaryRecovery(Triangulation& mesh, std::span<const Segment> segments,
+                                   RecoveryStrategy strategy, RecoveryObserver* observer)
+    : mesh_(mesh)
+    , segments_(segments)
+    , strategy_(strategy)
+    , observer_(observer)
+    , firstCrossing_(static_cast<std::uint32_t>(mesh.points.size()))
+    , nearLine_(0x1p-47 * greatestCoordinate(mesh))
+    , chains_(segments.size(), mesh.points.size())
+    , edit_(mesh)
+{}
+
+bool BoundaryRecovery::run(Execution& execution)
+{
+    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
+        if (s % 64 == 0) {
+            execution.report(static_cast<double>(s) / static_cast<double>(segments_.size()));
+        }
+        const bool done = strategy_ == RecoveryStrategy::Steiner ? recoverWithSteinerPoints(s)
+                                                                 : recover(s);
+        if (!done) {
+            return false;
+        }
+    }
+    closeGaps();
+    return true;
+}
+
+bool BoundaryRecovery::recover(std::uint32_t s)
+{
+    std::uint32_t from = segments_[s].a;
+    chains_.append(s, from);
+    while (from != segments_[s].b) {
+        const Step step = next(s, from, Stop::AtConstraint);
+        const std::uint32_t to
+            = step.kind == Step::Kind::Edge ? cross(s, from, step.edge) : step.vertex;
+        if (to == from) {
+            continue; // the other constraint has been led through this vertex
+        }
+        if (to == kNone || !edit_.constrain(from, to)) {
+            return false;
+        }
+        chains_.append(s, to);
+        if (!pickUpTouches(from, to)) {
+            return false;
+        }
+        from = to;
+    }
+    return true;
+}
+
+BoundaryRecovery::Step BoundaryRecovery::next(std::uint32_t s, std::uint32_t from, Stop stop) const
+{
+    const std::uint32_t target = segments_[s].b;
+    const Departure departure = depart(mesh_, from, target);
+    if (departure.kind == Departure::Kind::Along) {
+        return atVertex(s, mesh_.destination(departure.edge));
+    }
+    if (departure.kind == Departure::Kind::None) {
+        return {};
+    }
+    // A chain vertex that was rounded lies beside the line: vertices that the segment passes may
+    // stand on either side of the way from there.
+    const bool beside = from != segments_[s].a;
+    HalfEdge edge = departure.edge;
+    for (const HalfEdge spoke : {Topology::prev(edge), mesh_.twin(Topology::next(edge))}) {
+        const std::uint32_t vertex = mesh_.destination(spoke);
+        if ((beside && isInput(vertex) && onLine(s, vertex) && isAhead(s, from, vertex))
+            || followsOverlap(s, from, spoke)) {
+            return {Step::Kind::Vertex, vertex};
+        }
+    }
+    const Vec2 origin = mesh_.points[from];
+    const Vec2 goal = mesh_.points[target];
+    while (stop == Stop::AtConstraint && !mesh_.isConstrained(edge)) {
+        const HalfEdge entered = mesh_.twin(edge);
+        const std::uint32_t apex = mesh_.apex(entered);
+        if (apex == target) {
+            return {Step::Kind::Vertex, apex};
+        }
+        if (apex == Topology::kInfinite) {
+            return {};
+        }
+        const int side = orient2d(origin, goal, mesh_.points[apex]);
+        if (side == 0) {
+            return atVertex(s, apex);
+        }
+        if (beside && isInput(apex) && onLine(s, apex)) {
+            return {Step::Kind::Vertex, apex};
+        }
+        edge = side > 0 ? Topology::next(entered) : Topology::prev(entered);
+    }
+    return {Step::Kind::Edge, kNone, edge};
+}
+
+/// The way leads exactly through the vertex.
+BoundaryRecovery::Step BoundaryRecovery::atVertex(std::uint32_t s, std::uint32_t vertex) const
+{
+    const bool passed = isInput(vertex) ? onLine(s, vertex) : passesThrough(s, vertex);
+    return passed ? Step {Step::Kind::Vertex, vertex} : Step {};
+}
+
+/// Whether the crossing of the segment with another one at the vertex is the vertex.
+bool BoundaryRecovery::passesThrough(std::uint32_t s, std::uint32_t crossingVertex) const
+{
+    return chains_.anyAt(crossingVertex, [&](std::uint32_t other) {
+        return meetInPoint(start(s), end(s), start(other), end(other))
+            && crossLines(start(s), end(s), start(other), end(other)).point
+            == mesh_.points[crossingVertex];
+    });
+}
+
+bool BoundaryRecovery::onLine(std::uint32_t s, std::uint32_t vertex) const
+{
+    return orient2d(start(s), end(s), mesh_.points[vertex]) == 0;
+}
+
+bool BoundaryRecovery::isAhead(std::uint32_t s, std::uint32_t from, std::uint32_t vertex) const
+{
+    const Vec2 step = mesh_.points[vertex] - mesh_.points[from];
+    const Vec2 direction = end(s) - start(s);
+    return vertex != from && sameWay(step.x, direction.x) && sameWay(step.y, direction.y);
+}
+
+/// Whether the triangle of the three vertices is so flat that rounded points of one line could make
+/// it. No decision on its own.
+bool BoundaryRecovery::isFlat(std::uint32_t x, std::uint32_t y, std::uint32_t z) const
+{
+    const Vec2 d = mesh_.points[y] - mesh_.points[x];
+    const Vec2 e = mesh_.points[z] - mesh_.points[x];
+    return std::fabs(tessera::cross(d, e)) <= nearLine_ * (std::fabs(d.x) + std::fabs(d.y));
+}
+
+/// Whether the constrained edge belongs to a segment on the same line: then this one goes along.
+bool BoundaryRecovery::followsOverlap(std::uint32_t s, std::uint32_t from, HalfEdge spoke) const
+{
+    const std::uint32_t vertex = mesh_.destination(spoke);
+    if (!mesh_.isConstrained(spoke) || !isFlat(from, segments_[s].b, vertex)
+        || !isAhead(s, from, vertex)) {
+        return false;
+    }
+    bool follows = false;
+    chains_.forEachUse(from, vertex, [&](const Chains::Use& use) {
+        const Segment& other = segments_[use.segment];
+        follows = follows || (onLine(s, other.a) && onLine(s, other.b));
+    });
+    return follows;
+}
+
+/// Crosses the segment, coming from a vertex of its chain, with all constraints on the edge.
+/// Returns its next vertex, `from` if only the others have changed, kNone if ill-conditioned.
+std::uint32_t BoundaryRecovery::cross(std::uint32_t s, std::uint32_t from, HalfEdge edge)
+{
+    Crossing crossing;
+    if (!findCrossing(s, edge, crossing)) {
+        return kNone;
+    }
+    const Vec2 p = crossing.point;
+    const std::uint32_t u = mesh_.origin(edge);
+    const std::uint32_t v = mesh_.destination(edge);
+    const Vec2 direction = end(s) - start(s);
+    const Vec2 step = p - mesh_.points[from];
+    if (!inBox(mesh_.points[u], mesh_.points[v], p) || !sameWay(step.x, direction.x)
+        || !sameWay(step.y, direction.y)) {
+        return kNone;
+    }
+    if (p == mesh_.points[u]) {
+        return u;
+    }
+    if (p == mesh_.points[v]) {
+        return v;
+    }
+    if (!edit_.splitsEdge(edge, p)) {
+        return crossBeside(u, v, edge, crossing);
+    }
+    const std::uint32_t vertex = edit_.splitEdge(edge, p);
+    countCrossing(vertex, crossing.residual);
+    leadThrough(vertex);
+    return vertex;
+}
+
+/// The one crossing of the segment with all segments on the edge, which uses_ then has. False if
+/// there is none: they do not cross, or not in one point.
+bool BoundaryRecovery::findCrossing(std::uint32_t s, HalfEdge edge, Crossing& crossing)
+{
+    uses_.clear();
+    chains_.forEachUse(mesh_.origin(edge), mesh_.destination(edge),
+                       [this](const Chains::Use& use) { uses_.push_back(use); });
+    bool first = true;
+    for (const Chains::Use& use : uses_) {
+        const Vec2 c = start(use.segment);
+        const Vec2 d = end(use.segment);
+        if (!meetInPoint(start(s), end(s), c, d)) {
+            return false;
+        }
+        const Crossing candidate = crossLines(start(s), end(s), c, d);
+        if (!first && !(candidate.point == crossing.point)) {
+            return false;
+        }
+        crossing = candidate;
+        first = false;
+    }
+    return !first;
+}
+
+/// The crossing is outside the two triangles beside the edge: into the mesh wherever it falls.
+std::uint32_t BoundaryRecovery::crossBeside(std::uint32_t u, std::uint32_t v, HalfEdge edge,
+                                            const Crossing& crossing)
+{
+    edit_.release(edge);
+    const Location where = locate(mesh_, crossing.point, mesh_.incident[u]);
+    std::uint32_t vertex = mesh_.origin(where.edge);
+    if (where.kind != Location::Kind::Vertex) {
+        if (where.kind == Location::Kind::Edge && mesh_.isConstrained(where.edge)) {
+            return kNone;
+        }
+        vertex = edit_.insert(crossing.point, where);
+        countCrossing(vertex, crossing.residual);
+    }
+    leadThrough(vertex);
+    return edit_.constrain(u, vertex) && edit_.constrain(vertex, v) ? vertex : kNone;
+}
+
+/// Puts the vertex into the chains of all segments in uses_.
+void BoundaryRecovery::leadThrough(std::uint32_t vertex)
+{
+    for (const Chains::Use& use : uses_) {
+        chains_.insertAfter(use.before, vertex);
+    }
+}
+
+void BoundaryRecovery::countCrossing(std::uint32_t vertex, Vec2 residual)
+{
+    ++report_.crossings;
+    report_.maxDisplacement = std::max(report_.maxDisplacement, length(residual));
+    if (strategy_ == RecoveryStrategy::Steiner) {
+        countSteinerPoint(vertex);
+    }
+}
+
+/// A rounded chain may pass beside an input vertex on the line without crossing a triangle of it.
+/// The vertex is then so close that it is the apex of a triangle at the piece x, y.
+bool BoundaryRecovery::pickUpTouches(std::uint32_t x, std::uint32_t y)
+{
+    if (isInput(x) && isInput(y)) {
+        return true;
+    }
+    const HalfEdge edge = mesh_.findEdge(x, y);
+    for (const std::uint32_t z : {mesh_.apex(edge), mesh_.apex(mesh_.twin(edge))}) {
+        if (z != Topology::kInfinite && isInput(z) && isFlat(x, y, z) && touches(x, y, z)) {
+            leadThrough(z);
+            if (!chains_.used(x, y)) {
+                edit_.release(edge);
+            }
+            return edit_.constrain(x, z) && edit_.constrain(z, y) && pickUpTouches(x, z)
+                && pickUpTouches(z, y);
+        }
+    }
+    return true;
+}
+
+/// Collects in uses_ the segments on the edge x, y that pass z in between.
+bool BoundaryRecovery::touches(std::uint32_t x, std::uint32_t y, std::uint32_t z)
+{
+    uses_.clear();
+    chains_.forEachUse(x, y, [&](const Chains::Use& use) {
+        const std::uint32_t before = use.forward ? x : y;
+        const std::uint32_t after = use.forward ? y : x;
+        if (onLine(use.segment, z) && isAhead(use.segment, before, z)
+            && isAhead(use.segment, z, after)) {
+            uses_.push_back(use);
+        }
+    });
+    return !uses_.empty();
+}
+
+/// Moves the last vertices into the places of removed ones.
+void BoundaryRecovery::closeGaps()
+{
+    std::vector<std::uint32_t> gaps = edit_.takeFreeVertices();
+    std::sort(gaps.begin(), gaps.end());
+    std::size_t next = 0;
+    while (next < gaps.size()) {
+        const auto last = static_cast<std::uint32_t>(mesh_.points.size() - 1);
+        if (gaps.back() == last) {
+            gaps.pop_back();
+        }
+        else {
+            const std::uint32_t gap = gaps[next++];
+            mesh_.forEachAround(last, [&](HalfEdge h) {
+                mesh_.triangles[h >> 2].v[Topology::next3(h & 3U)] = gap;
+            });
+            mesh_.points[gap] = mesh_.points[last];
+            mesh_.incident[gap] = mesh_.incident[last];
+            chains_.renameVertex(last, gap);
+        }
+        mesh_.points.pop_back();
+        mesh_.incident.pop_back();
+    }
+}
+
+} // namespace tessera
