@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+//
+// Sizes at the boundary's vertices.
+//
+// Frontal placement starts from the constrained edges, so their lengths must fit the sizes beside
+// them and each other. A vertex's size starts as the size field. It is lowered to the length of a
+// constrained edge at it, to the distance of another vertex or of a constrained edge that it sees,
+// where these are below kGapRatio of it. Then growth is limited along the edges of the
+// triangulation (Dijkstra), constrained edges longer than kLongest times the mean size of their
+// ends are split, and all is repeated until nothing changes.
+//
+// Corners below 60 degrees: between the arms nothing can be placed or moved, so the arms get equal
+// first edges (a shell). Those are never split, and only from the shell outwards the distance
+// between the arms counts as a gap. Then the one triangle at the corner is isosceles and its
+// smallest angle is the input angle.
+//
+// Gaps lower a size to kSmallestGapSize of the field at most. Complexity: O(n log n) a round for n
+// boundary vertices, at most kRounds rounds.
+
+#include "refine/vertex_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+namespace tessera
+{
+
+namespace
+{
+constexpr double kGapRatio = 0.75;
+constexpr double kLongest = 1.42;
+constexpr double kSmallestGapSize = 1.0 / 64.0;
+constexpr int kRounds = 12;
+constexpr double kCornerAngle = std::numbers::pi / 3.0 - 1e-9;
+constexpr double kEqualArms = 1.02;
+
+double angleBetween(Vec2 u, Vec2 w)
+{
+    return std::fabs(std::atan2(cross(u, w), dot(u, w)));
+}
+} // namespace
+
+VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const RefineOptions& options)
+    : editor_(editor)
+    , t_(editor.triangulation())
+    , size_(size)
+    , options_(options)
+    // Equilateral triangles of the largest area have this edge; most are not quite equilateral.
+    , areaSize_(options.maxArea > 0.0 ? std::sqrt(options.maxArea * 4.0 / std::numbers::sqrt3) * 0.9
+                                      : std::numeric_limits<double>::infinity())
+{}
+
+void VertexSizes::prepare(RefineReport& report, Execution& execution)
+{
+    makeShells(report);
+    for (int round = 0; round < kRounds; ++round) {
+        execution.checkpoint();
+        h_.resize(t_.points.size());
+        shell_.resize(t_.points.size(), 0.0F);
+        for (std::uint32_t v = 1; v < t_.points.size(); ++v) {
+            h_[v] = static_cast<float>(fieldAt(t_.points[v]));
+        }
+        measureSpacing();
+        measureGaps();
+        limitGrowth();
+        if (options_.freezeBoundary || splitLongEdges(report) == 0) {
+            break;
+        }
+    }
+}
+
+void VertexSizes::lower(std::uint32_t vertex, double spacing)
+{
+    if (spacing < kGapRatio * h_[vertex]) {
+        h_[vertex] = static_cast<float>(spacing);
+    }
+}
+
+void VertexSizes::measureSpacing()
+{
+    for (const ConstrainedEdge& edge : editor_.mesh().edges) {
+        const double spacing = distance(t_.points[edge.a], t_.points[edge.b]);
+        lower(edge.a, spacing);
+        lower(edge.b, spacing);
+    }
+}
+
+/// Calls wedge(arm, next arm, angle) for the constrained edges at v, counter-clockwise; the angle
+/// is infinite where a triangle in between is not kept.
+template<class F>
+void VertexSizes::forEachWedge(std::uint32_t v, F&& wedge) const
+{
+    const HalfEdge first = t_.incident[v];
+    if (first == Topology::kDead) {
+        return;
+    }
+    HalfEdge start = first;
+    while (!t_.isConstrained(start)) {
+        start = t_.nextAround(start);
+        if (start == first) {
+            return;
+        }
+    }
+    HalfEdge arm = start;
+    HalfEdge h = start;
+    double angle = 0.0;
+    do {
+        const HalfEdge following = t_.nextAround(h);
+        if (editor_.isKept(Topology::triangleOf(h))) {
+            angle += angleBetween(t_.points[t_.destination(h)] - t_.points[v],
+                                  t_.points[t_.destination(following)] - t_.points[v]);
+        }
+        else {
+            angle = std::numeric_limits<double>::infinity();
+        }
+        if (t_.isConstrained(following)) {
+            wedge(arm, following, angle);
+            arm = following;
+            angle = 0.0;
+        }
+        h = following;
+    } while (h != start);
+}
+
+/// Gives the arms of every corner below 60 degrees first edges of one length.
+void VertexSizes::makeShells(RefineReport& report)
+{
+    shell_.assign(t_.points.size(), 0.0F);
+    std::vector<std::uint32_t> corners;
+    for (const ConstrainedEdge& edge : editor_.mesh().edges) {
+        for (const std::uint32_t v : {edge.a, edge.b}) {
+            if (shell_[v] == 0.0F) {
+                shell_[v] = -1.0F;
+                forEachWedge(v, [&](HalfEdge, HalfEdge, double angle) {
+                    if (angle < kCornerAngle && shell_[v] < 0.0F) {
+                        shell_[v] = 1.0F;
+                        corners.push_back(v);
+                    }
+                });
+            }
+        }
+    }
+    std::vector<std::uint32_t> ends;
+    for (const std::uint32_t v : corners) {
+        ends.clear();
+        forEachWedge(v, [&](HalfEdge arm, HalfEdge next, double angle) {
+            if (angle < kCornerAngle) {
+                ends.push_back(t_.destination(arm));
+                ends.push_back(t_.destination(next));
+            }
+        });
+        std::sort(ends.begin(), ends.end());
+        ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+        const double radius = shellRadius(v, ends);
+        shell_[v] = static_cast<float>(radius);
+        for (const std::uint32_t end : ends) {
+            const double arm = distance(t_.points[v], t_.points[end]);
+            const HalfEdge edge = t_.findEdge(v, end);
+            if (!options_.freezeBoundary && arm > kEqualArms * radius && edge != Topology::kDead
+                && editor_.splitEdge(edge, radius / arm) != MeshEditor::kNone) {
+                ++report.segmentSplits;
+            }
+        }
+        shell_.resize(t_.points.size(), 0.0F);
+    }
+}
+
+/// A radius that leaves no short rest on any arm: an arm is about that long or cut well before its
+/// end.
+double VertexSizes::shellRadius(std::uint32_t v, const std::vector<std::uint32_t>& ends) const
+{
+    double radius = fieldAt(t_.points[v]);
+    for (const std::uint32_t end : ends) {
+        const double arm = distance(t_.points[v], t_.points[end]);
+        // An arm between two corners is cut from both sides.
+        radius = std::min(radius, shell_[end] > 0.0F ? 0.4 * arm : arm);
+    }
+    for (const std::uint32_t end : ends) {
+        const double arm = distance(t_.points[v], t_.points[end]);
+        if (arm > kEqualArms * radius && arm < 1.5 * radius) {
+            return 0.6 * radius;
+        }
+    }
+    return radius;
+}
+
+bool VertexSizes::isShellEdge(std::uint32_t a, std::uint32_t b) const
+{
+    const double l = distance(t_.points[a], t_.points[b]);
+    return (shell_[a] > 0.0F && l <= 1.05 * shell_[a])
+        || (shell_[b] > 0.0F && l <= 1.05 * shell_[b]);
+}
+
+void VertexSizes::measureGaps()
+{
+    const auto lowerToGap = [this](std::uint32_t v, double gap) {
+        lower(v, std::max(gap, kSmallestGapSize * fieldAt(t_.points[v])));
+    };
+    for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
+        if (!editor_.isKept(i)) {
+            continue;
+        }
+        for (std::uint32_t side = 0; side < 3; ++side) {
+            const HalfEdge h = Topology::halfEdge(i, side);
+            const std::uint32_t a = t_.origin(h);
+            const std::uint32_t b = t_.destination(h);
+            const std::uint32_t c = t_.apex(h);
+            const Vec2 along = t_.points[b] - t_.points[a];
+            const double l = length(along);
+            if (!t_.isConstrained(h)) {
+                lowerToGap(a, l);
+                lowerToGap(b, l);
+                continue;
+            }
+            const Vec2 toApex = t_.points[c] - t_.points[a];
+            const double foot = dot(toApex, along) / (l * l);
+            const bool atCorner = (shell_[a] > 0.0F && t_.isConstrained(Topology::prev(h)))
+                || (shell_[b] > 0.0F && t_.isConstrained(Topology::next(h)));
+            if (foot > 0.0 && foot < 1.0 && !atCorner) {
+                const double gap = cross(along, toApex) / l;
+                for (const std::uint32_t v : {a, b, c}) {
+                    lowerToGap(v, gap);
+                }
+            }
+        }
+    }
+}
+
+void VertexSizes::limitGrowth()
+{
+    using Entry = std::pair<float, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (std::uint32_t v = 1; v < t_.points.size(); ++v) {
+        queue.emplace(h_[v], v);
+    }
+    while (!queue.empty()) {
+        const Entry top = queue.top();
+        queue.pop();
+        const std::uint32_t v = top.second;
+        if (top.first > h_[v]) {
+            continue;
+        }
+        t_.forEachAround(v, [&](HalfEdge edge) {
+            const std::uint32_t u = t_.destination(edge);
+            if (u == Topology::kInfinite || !isBesideKept(edge)) {
+                return;
+            }
+            const double reach = kGrowth * distance(t_.points[u], t_.points[v]);
+            const float limit = top.first + static_cast<float>(reach);
+            if (limit < h_[u]) {
+                h_[u] = limit;
+                queue.emplace(limit, u);
+            }
+        });
+    }
+}
+
+std::size_t VertexSizes::splitLongEdges(RefineReport& report)
+{
+    std::size_t splits = 0;
+    const std::size_t count = editor_.mesh().edges.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const ConstrainedEdge edge = editor_.mesh().edges[i];
+        const HalfEdge h = t_.findEdge(edge.a, edge.b);
+        const double l = distance(t_.points[edge.a], t_.points[edge.b]);
+        if (l > kLongest * 0.5 * (h_[edge.a] + h_[edge.b]) && isBesideKept(h)
+            && !isShellEdge(edge.a, edge.b) && editor_.splitEdge(h, 0.5) != MeshEditor::kNone) {
+            ++splits;
+        }
+    }
+    report.segmentSplits += splits;
+    return splits;
+}
+
+bool VertexSizes::isBesideKept(HalfEdge h) const
+{
+    return editor_.isKept(Topology::triangleOf(h))
+        || editor_.isKept(Topology::triangleOf(t_.twin(h)));
+}
+
+} // namespace tessera

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/execution.h"
+#include "refine/mesh_editor.h"
+#include "refine/refine.h"
+#include "sizing/size_field.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace tessera
+{
+
+/// The size that triangles at each vertex shall have: the size field, limited by the spacing of the
+/// constrained edges and by narrow gaps, growing from there by at most kGrowth per length.
+class VertexSizes
+{
+public:
+    static constexpr double kGrowth = 0.2;
+
+    VertexSizes(MeshEditor& editor, const SizeField& size, const RefineOptions& options);
+
+    /// Finds the sizes on the triangulation of the boundary and splits constrained edges that are
+    /// too long for them or encroached. Precondition: no interior vertex yet.
+    void prepare(RefineReport& report, Execution& execution);
+
+    double operator[](std::uint32_t vertex) const { return h_[vertex]; }
+    void set(std::uint32_t vertex, double h)
+    {
+        if (vertex >= h_.size()) {
+            h_.resize(vertex + 1, 0.0F);
+        }
+        h_[vertex] = static_cast<float>(h);
+    }
+    /// The size field itself, limited by the area limit of the whole mesh.
+    double fieldAt(Vec2 p) const
+    {
+        const double h = size_.size(p);
+        return h < areaSize_ ? h : areaSize_;
+    }
+
+private:
+    template<class F>
+    void forEachWedge(std::uint32_t v, F&& wedge) const;
+    void makeShells(RefineReport& report);
+    double shellRadius(std::uint32_t v, const std::vector<std::uint32_t>& ends) const;
+    bool isShellEdge(std::uint32_t a, std::uint32_t b) const;
+    bool isBesideKept(HalfEdge h) const;
+    void measureSpacing();
+    void measureGaps();
+    void limitGrowth();
+    std::size_t splitLongEdges(RefineReport& report);
+    void lower(std::uint32_t vertex, double spacing);
+
+    MeshEditor& editor_;
+    const Triangulation& t_;
+    const SizeField& size_;
+    const RefineOptions& options_;
+    double areaSize_;
+    std::vector<float> h_;     ///< by vertex
+    std::vector<float> shell_; ///< by vertex: radius around a corner below 60 degrees, else <= 0
+};
+
+} // namespace tessera
