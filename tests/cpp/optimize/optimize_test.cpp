@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+
+#include "optimize/optimize.h"
+
+#include "delaunay/delaunay.h"
+#include "refine/domains.h"
+
+#include <gtest/gtest.h>
+
+namespace tessera
+{
+namespace
+{
+
+using test::checkWorkingMesh;
+using test::Domain;
+using test::Figures;
+using test::measure;
+using test::SegmentSize;
+using test::UniformSize;
+
+struct Optimized
+{
+    WorkingMesh original;
+    WorkingMesh mesh;
+    Figures before;
+    Figures after;
+};
+
+Optimized optimizeDomain(const Domain& domain, const SizeField& size)
+{
+    Optimized r {domain.build(), {}, {}, {}};
+    r.mesh = r.original;
+    Execution execution;
+    refine(r.mesh, size, {}, execution);
+    r.before = measure(r.mesh, size);
+    optimize(r.mesh, size, 30.0, execution);
+    r.after = measure(r.mesh, size);
+    return r;
+}
+
+void expectValid(const Optimized& r)
+{
+    EXPECT_EQ(verify(r.mesh.triangulation, false), std::vector<std::string> {});
+    EXPECT_EQ(checkWorkingMesh(r.mesh, r.original), std::vector<std::string> {});
+    EXPECT_NEAR(r.before.area, r.after.area, 1e-12 * r.before.area);
+    EXPECT_GE(r.after.minAngle, r.before.minAngle - 1e-9);
+}
+
+TEST(Optimize, UniformPlate)
+{
+    const UniformSize size(0.01);
+    const Optimized r = optimizeDomain(Domain::plate(size), size);
+    expectValid(r);
+    EXPECT_GE(r.after.minAngle, 32.0);
+    EXPECT_GE(r.after.angleP01, r.before.angleP01);
+    EXPECT_GE(r.after.meanQuality, 0.985);
+}
+
+TEST(Optimize, GradedPlate)
+{
+    const SegmentSize size({0.1, 0.45}, {0.3, 0.52}, 0.002, 0.05, 1.0);
+    const Optimized r = optimizeDomain(Domain::plate(size), size);
+    expectValid(r);
+    EXPECT_GE(r.after.minAngle, 30.0);
+    EXPECT_GE(r.after.meanQuality, 0.97);
+}
+
+TEST(Optimize, RandomDomains)
+{
+    for (unsigned seed = 0; seed < 150; ++seed) {
+        const UniformSize size(0.03);
+        const Optimized r = optimizeDomain(Domain::randomStar(seed, size), size);
+        SCOPED_TRACE(seed);
+        expectValid(r);
+    }
+}
+
+TEST(Optimize, SameInputSameBytes)
+{
+    const UniformSize size(0.03);
+    const Domain d = Domain::randomStar(7, size);
+    const Optimized a = optimizeDomain(d, size);
+    const Optimized b = optimizeDomain(d, size);
+    EXPECT_EQ(a.mesh.triangulation.points, b.mesh.triangulation.points);
+}
+
+} // namespace
+} // namespace tessera

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+
+#include "refine/refine.h"
+
+#include "delaunay/delaunay.h"
+#include "refine/domains.h"
+
+#include <gtest/gtest.h>
+
+namespace tessera
+{
+namespace
+{
+
+using test::checkWorkingMesh;
+using test::Domain;
+using test::Figures;
+using test::measure;
+using test::SegmentSize;
+using test::UniformSize;
+
+struct Refined
+{
+    WorkingMesh original;
+    WorkingMesh mesh;
+    RefineReport report;
+    Figures figures;
+};
+
+Refined refineDomain(const Domain& domain, const SizeField& size, RefineOptions options = {})
+{
+    Refined r {domain.build(), {}, {}, {}};
+    r.mesh = r.original;
+    Execution execution;
+    r.report = refine(r.mesh, size, options, execution);
+    r.figures = measure(r.mesh, size);
+    return r;
+}
+
+void expectValid(const Refined& r)
+{
+    EXPECT_EQ(verify(r.mesh.triangulation), std::vector<std::string> {});
+    EXPECT_EQ(checkWorkingMesh(r.mesh, r.original), std::vector<std::string> {});
+}
+
+TEST(Refine, SquareHasNominalNumberOfGoodTriangles)
+{
+    const UniformSize size(0.05);
+    Domain d;
+    d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+    const Refined r = refineDomain(d, size);
+    expectValid(r);
+    EXPECT_NEAR(r.figures.area, 1.0, 1e-13);
+    EXPECT_NEAR(static_cast<double>(r.figures.triangles), 924.0, 120.0);
+    EXPECT_GE(r.figures.minAngle, 30.0);
+    EXPECT_GE(r.figures.meanQuality, 0.95);
+    EXPECT_TRUE(r.report.unreached.empty());
+    EXPECT_EQ(r.report.segmentSplits, 0U);
+}
+
+TEST(Refine, PlateMeetsAnglesAndSizes)
+{
+    const UniformSize size(0.02);
+    const Refined r = refineDomain(Domain::plate(size), size);
+    expectValid(r);
+    EXPECT_GE(r.figures.minAngle, 30.0);
+    EXPECT_GE(r.figures.meanQuality, 0.95);
+    EXPECT_GE(r.figures.p05, 0.7);
+    EXPECT_LE(r.figures.p95, 1.4);
+    EXPECT_TRUE(r.report.unreached.empty());
+}
+
+TEST(Refine, GradedPlateMeetsAnglesAndSizes)
+{
+    const SegmentSize size({0.1, 0.45}, {0.3, 0.52}, 0.002, 0.1, 1.0);
+    const Refined r = refineDomain(Domain::plate(size), size);
+    expectValid(r);
+    EXPECT_GE(r.figures.minAngle, 29.999);
+    EXPECT_GE(r.figures.p05, 0.7);
+    EXPECT_LE(r.figures.p95, 1.4);
+}
+
+TEST(Refine, ConstraintSplitsLieOnTheirCurve)
+{
+    // A coarse circle in a fine field: every piece is split, on the circle.
+    const UniformSize size(0.02);
+    Domain d;
+    d.addPolygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, &size);
+    d.addCircle({0, 0}, 0.5, 12);
+    const Refined r = refineDomain(d, size);
+    expectValid(r);
+    EXPECT_GE(r.report.segmentSplits, 12U);
+    EXPECT_NEAR(r.figures.area, 4.0 - M_PI * 0.25, 1e-3);
+    EXPECT_GE(r.figures.minAngle, 29.999);
+}
+
+TEST(Refine, ConvexArcGrowsOverTheHull)
+{
+    const UniformSize size(0.05);
+    Domain d;
+    d.addCircle({0, 0}, 1.0, 8);
+    const Refined r = refineDomain(d, size);
+    expectValid(r);
+    EXPECT_GE(r.report.segmentSplits, 8U);
+    EXPECT_NEAR(r.figures.area, M_PI, 0.01);
+    EXPECT_GE(r.figures.minAngle, 29.999);
+}
+
+TEST(Refine, FrozenBoundaryStays)
+{
+    const UniformSize size(0.05);
+    Domain d;
+    d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+    d.addCircle({0.5, 0.5}, 0.2, 8);
+    RefineOptions options;
+    options.freezeBoundary = true;
+    const Refined r = refineDomain(d, size, options);
+    expectValid(r);
+    EXPECT_EQ(r.report.segmentSplits, 0U);
+    EXPECT_EQ(r.mesh.edges.size(), r.original.edges.size());
+}
+
+TEST(Refine, SmallInputAnglesEndAndAreListed)
+{
+    for (const double degrees : {40.0, 20.0, 5.0, 1.0, 0.01}) {
+        const UniformSize size(0.1);
+        const double angle = degrees * M_PI / 180.0;
+        Domain d;
+        d.addPolygon({{0, 0}, {1, 0}, {std::cos(angle), std::sin(angle)}}, &size);
+        const Refined r = refineDomain(d, size);
+        expectValid(r);
+        EXPECT_NEAR(r.figures.area, 0.5 * std::sin(angle), 1e-12);
+        std::size_t below = 0;
+        for (const Unreached& u : r.report.unreached) {
+            below += u.what == "min_angle" ? 1 : 0;
+            EXPECT_LT(u.value, 30.0);
+        }
+        EXPECT_EQ(below == 0, r.figures.minAngle >= 30.0) << degrees;
+        EXPECT_LE(r.figures.triangles, 20000U) << degrees;
+    }
+}
+
+TEST(Refine, ThinGapEnds)
+{
+    for (const double gap : {1e-2, 1e-4, 1e-8, 1e-14}) {
+        const UniformSize size(0.1);
+        Domain d;
+        d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+        d.addLine({0.2, 0.5}, {0.8, 0.5}, &size);
+        d.addLine({0.21, 0.5 + gap}, {0.79, 0.5 + gap}, &size);
+        const Refined r = refineDomain(d, size);
+        expectValid(r);
+        EXPECT_NEAR(r.figures.area, 1.0, 1e-12);
+        EXPECT_LE(r.figures.triangles, 200000U) << gap;
+    }
+}
+
+TEST(Refine, ManyLinesThroughOnePoint)
+{
+    const UniformSize size(0.1);
+    Domain d;
+    d.addPolygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, &size);
+    for (int i = 0; i < 40; ++i) {
+        const double angle = M_PI * i / 20.0;
+        d.addLine({0, 0}, {0.7 * std::cos(angle), 0.7 * std::sin(angle)}, &size);
+    }
+    const Refined r = refineDomain(d, size);
+    expectValid(r);
+    EXPECT_NEAR(r.figures.area, 4.0, 1e-12);
+    EXPECT_GE(r.figures.minAngle, 1.0);
+}
+
+TEST(Refine, AreaLimitHolds)
+{
+    const UniformSize size(0.5);
+    Domain d;
+    d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+    RefineOptions options;
+    options.maxArea = 0.001;
+    const Refined r = refineDomain(d, size, options);
+    expectValid(r);
+    EXPECT_TRUE(r.report.unreached.empty());
+    EXPECT_GE(r.figures.triangles, 1000U);
+    EXPECT_LE(r.figures.triangles, 4000U);
+}
+
+TEST(Refine, RandomDomains)
+{
+    for (unsigned seed = 0; seed < 150; ++seed) {
+        const UniformSize size(0.03);
+        const Domain d = Domain::randomStar(seed, size);
+        const Refined r = refineDomain(d, size);
+        SCOPED_TRACE(seed);
+        expectValid(r);
+        std::size_t below = 0;
+        for (const Unreached& u : r.report.unreached) {
+            below += u.what == "min_angle" ? 1 : 0;
+        }
+        EXPECT_LE(below, 60U);
+        EXPECT_GE(r.figures.minAngle, 3.0);
+        EXPECT_GE(r.figures.meanQuality, 0.9);
+        EXPECT_LE(r.figures.p95, 1.45);
+    }
+}
+
+TEST(Refine, SameInputSameBytes)
+{
+    const UniformSize size(0.03);
+    const Domain d = Domain::randomStar(7, size);
+    const Refined a = refineDomain(d, size);
+    const Refined b = refineDomain(d, size);
+    EXPECT_EQ(a.mesh.triangulation.points, b.mesh.triangulation.points);
+    ASSERT_EQ(a.mesh.triangulation.triangles.size(), b.mesh.triangulation.triangles.size());
+    for (std::size_t i = 0; i < a.mesh.triangulation.triangles.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            ASSERT_EQ(a.mesh.triangulation.triangles[i].v[k],
+                      b.mesh.triangulation.triangles[i].v[k]);
+        }
+    }
+}
+
+TEST(Refine, RefusesAnglesOutOfRange)
+{
+    const UniformSize size(0.5);
+    Domain d;
+    d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+    WorkingMesh mesh = d.build();
+    Execution execution;
+    for (const double angle : {-1.0, 33.5, std::nan("")}) {
+        RefineOptions options;
+        options.minAngle = angle;
+        EXPECT_THROW(refine(mesh, size, options, execution), Error);
+    }
+}
+
+TEST(Refine, CancelLeavesByException)
+{
+    const UniformSize size(0.001);
+    WorkingMesh mesh = Domain::plate(size).build();
+    Execution execution;
+    execution.cancel();
+    EXPECT_THROW(refine(mesh, size, {}, execution), Error);
+}
+
+TEST(EstimateTriangles, MatchesWhatIsMade)
+{
+    const UniformSize uniform(0.03);
+    const SegmentSize graded({0.1, 0.45}, {0.3, 0.52}, 0.004, 0.1, 1.0);
+    for (const SizeField* size : {static_cast<const SizeField*>(&uniform),
+                                  static_cast<const SizeField*>(&graded)}) {
+        const Domain d = Domain::plate(*size);
+        const double estimate = estimateTriangles(d.build(), *size);
+        const Refined r = refineDomain(d, *size);
+        EXPECT_NEAR(estimate / static_cast<double>(r.figures.triangles), 1.0, 0.25);
+    }
+}
+
+TEST(EstimateTriangles, StopsAtHugeNumbers)
+{
+    const UniformSize coarse(0.5);
+    const UniformSize tiny(1e-200);
+    Domain d;
+    d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &coarse);
+    EXPECT_EQ(estimateTriangles(d.build(), tiny), 1e12);
+    const SegmentSize steep({0, 0}, {1, 1}, 1e-12, 1.0, 1.0);
+    EXPECT_GE(estimateTriangles(d.build(), steep), 1e11);
+}
+
+} // namespace
+} // namespace tessera
