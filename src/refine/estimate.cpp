@@ -3,8 +3,10 @@
 // The number of triangles before they are made, and the targets that were missed after.
 //
 // An equilateral triangle of edge h covers sqrt(3)/4 h², so the number is the integral of
-// 4 / (sqrt(3) h²) over the kept area. Each kept triangle is divided into four until the Lipschitz
-// bound says that h changes by less than a half across a part, so that steep fields are not missed.
+// 4 / (sqrt(3) h²) over the kept area. Each kept triangle is divided into four, level by level,
+// until the Lipschitz bound says that h changes little across a part, so that steep fields are not
+// missed. Where the parts become too many, a systematic sample of them stands for all: the cost is
+// bounded by kMostParts evaluations of the size field a level, at most kDeepest levels.
 
 #include "refine/refine.h"
 
@@ -19,7 +21,16 @@ namespace
 {
 
 constexpr double kMostTriangles = 1e12;
-constexpr int kDeepest = 40;
+constexpr std::size_t kMostParts = 16384;
+constexpr int kDeepest = 60;
+
+/// A part of a triangle with the integral over it by the midpoint rule; stands for weight parts.
+struct Part
+{
+    Vec2 a, b, c;
+    double count;
+    double weight;
+};
 
 class Integral
 {
@@ -29,35 +40,81 @@ public:
         , gradient_(size.gradientBound())
     {}
 
-    double sum() const { return sum_; }
-
-    void add(Vec2 a, Vec2 b, Vec2 c, int depth = 0)
+    void add(Vec2 a, Vec2 b, Vec2 c, double weight = 1.0)
     {
         const Vec2 center = (1.0 / 3.0) * (a + b + c);
         const double h = size_.size(center);
-        const double reach
-            = std::max({distance(center, a), distance(center, b), distance(center, c)});
         const double area = 0.5 * std::fabs(cross(b - a, c - a));
         const double count = 4.0 / std::numbers::sqrt3 * area / (h * h);
-        // Parts smaller than one triangle count for nothing; h is not divided further there.
-        if (gradient_ * reach < 0.25 * h || count < 0.05 || depth >= kDeepest
-            || sum_ > kMostTriangles) {
-            sum_ += count;
-            return;
+        const double reach
+            = std::max({distance(center, a), distance(center, b), distance(center, c)});
+        // h is not followed further in parts smaller than one triangle.
+        if (gradient_ * reach < 0.25 * h || count < 0.1) {
+            sum_ += weight * count;
         }
-        const Vec2 ab = midpoint(a, b);
-        const Vec2 bc = midpoint(b, c);
-        const Vec2 ca = midpoint(c, a);
-        add(a, ab, ca, depth + 1);
-        add(ab, b, bc, depth + 1);
-        add(ca, bc, c, depth + 1);
-        add(ab, bc, ca, depth + 1);
+        else {
+            parts_.push_back({a, b, c, count, weight});
+        }
+    }
+
+    double finish()
+    {
+        for (int depth = 0; depth < kDeepest && !parts_.empty() && sum_ < kMostTriangles;
+             ++depth) {
+            thin();
+            const std::vector<Part> parts = std::move(parts_);
+            parts_.clear();
+            for (const Part& p : parts) {
+                const Vec2 ab = midpoint(p.a, p.b);
+                const Vec2 bc = midpoint(p.b, p.c);
+                const Vec2 ca = midpoint(p.c, p.a);
+                add(p.a, ab, ca, p.weight);
+                add(ab, p.b, bc, p.weight);
+                add(ca, bc, p.c, p.weight);
+                add(ab, bc, ca, p.weight);
+            }
+        }
+        for (const Part& p : parts_) {
+            sum_ += p.weight * p.count;
+        }
+        return std::min(sum_, kMostTriangles);
     }
 
 private:
+    /// Keeps at most kMostParts, at equal steps of the cumulated integral, so that each stands for
+    /// the same share of it.
+    void thin()
+    {
+        if (parts_.size() <= kMostParts) {
+            return;
+        }
+        double total = 0.0;
+        for (const Part& p : parts_) {
+            total += p.weight * p.count;
+        }
+        const double step = total / kMostParts;
+        double next = 0.5 * step;
+        double cumulated = 0.0;
+        std::size_t kept = 0;
+        for (const Part& p : parts_) {
+            const double share = p.weight * p.count;
+            cumulated += share;
+            int hits = 0;
+            for (; next < cumulated; next += step) {
+                ++hits;
+            }
+            if (hits > 0) {
+                parts_[kept] = p;
+                parts_[kept++].weight = p.weight * hits * step / share;
+            }
+        }
+        parts_.resize(kept);
+    }
+
     const SizeField& size_;
     double gradient_;
     double sum_ = 0.0;
+    std::vector<Part> parts_;
 };
 
 double areaLimitOf(const RefineOptions& options, std::uint32_t region)
@@ -89,12 +146,12 @@ double estimateTriangles(const WorkingMesh& mesh, const SizeField& size)
         if (uniform > 0.0) {
             area += 0.5 * cross(b - a, c - a);
         }
-        else if (integral.sum() <= kMostTriangles) {
+        else {
             integral.add(a, b, c);
         }
     }
     const double inside = uniform > 0.0 ? 4.0 / std::numbers::sqrt3 * area / (uniform * uniform)
-                                        : integral.sum();
+                                        : integral.finish();
     return std::min(inside + static_cast<double>(mesh.edges.size()), kMostTriangles);
 }
 

@@ -21,6 +21,7 @@ using test::UniformSize;
 
 struct Optimized
 {
+    Domain domain; ///< owns the curves
     WorkingMesh original;
     WorkingMesh mesh;
     Figures before;
@@ -29,7 +30,7 @@ struct Optimized
 
 Optimized optimizeDomain(const Domain& domain, const SizeField& size)
 {
-    Optimized r {domain.build(), {}, {}, {}};
+    Optimized r {domain, domain.build(), {}, {}, {}};
     r.mesh = r.original;
     Execution execution;
     refine(r.mesh, size, {}, execution);

@@ -21,6 +21,7 @@ using test::UniformSize;
 
 struct Refined
 {
+    Domain domain; ///< owns the curves
     WorkingMesh original;
     WorkingMesh mesh;
     RefineReport report;
@@ -29,7 +30,7 @@ struct Refined
 
 Refined refineDomain(const Domain& domain, const SizeField& size, RefineOptions options = {})
 {
-    Refined r {domain.build(), {}, {}, {}};
+    Refined r {domain, domain.build(), {}, {}, {}};
     r.mesh = r.original;
     Execution execution;
     r.report = refine(r.mesh, size, options, execution);
