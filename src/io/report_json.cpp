@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "io/report_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
+
+namespace tessera
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+void addQuality(Json& json, const QualityReport& quality)
+{
+    json["min_angle_deg"] = quality.minAngle;
+    json["max_angle_deg"] = quality.maxAngle;
+    json["angle_p01_deg"] = quality.angleP01;
+    json["min_quality"] = quality.minQuality;
+    json["mean_quality"] = quality.meanQuality;
+}
+
+void addRecovery(Json& json, const RecoveryReport& recovery)
+{
+    json["crossings"] = recovery.crossings;
+    json["touches"] = recovery.touches;
+    json["overlaps"] = recovery.overlaps;
+    json["steiner_inserted"] = recovery.steinerInserted;
+    json["steiner_removed"] = recovery.steinerRemoved;
+}
+
+Json unreachedList(const std::vector<Unreached>& unreached)
+{
+    Json list = Json::array();
+    for (const Unreached& item : unreached) {
+        list.push_back({{"what", item.what},
+                        {"place", {item.place.x, item.place.y}},
+                        {"value", item.value},
+                        {"target", item.target}});
+    }
+    return list;
+}
+
+Json secondsObject(const StageSeconds& s)
+{
+    return {{"read", s.read},         {"arrange", s.arrange},   {"sample", s.sample},
+            {"triangulate", s.triangulate}, {"recover", s.recover}, {"color", s.color},
+            {"refine", s.refine},     {"optimize", s.optimize}, {"extract", s.extract},
+            {"write", s.write},       {"total", s.total}};
+}
+
+} // namespace
+
+std::uint64_t peakMemoryBytes()
+{
+    rusage usage {};
+    if (getrusage(RUSAGE_SELF, &usage) != 0) {
+        return 0;
+    }
+    constexpr std::uint64_t kUnit = 1024; // Linux counts KiB
+    return kUnit * static_cast<std::uint64_t>(usage.ru_maxrss);
+}
+
+std::string formatReport(const MeshResult& result)
+{
+    const MeshReport& report = result.report;
+    const auto& conformity = report.quality.sizeConformity;
+    Json json;
+    json["version"] = TESSERA_VERSION;
+    json["input"] = {{"points", report.inputPoints},
+                     {"segments", report.inputSegments},
+                     {"curves", report.inputCurves},
+                     {"operands", report.inputOperands}};
+    addRecovery(json, report.recovery);
+    json["regions"] = report.regions;
+    json["vertices"] = result.mesh.nodes.size();
+    json["triangles"] = result.mesh.triangles.size();
+    json["quads"] = 0;
+    json["area"] = report.area;
+    json["region_areas"] = report.regionAreas;
+    addQuality(json, report.quality);
+    json["size_conformity"] = {{"min", conformity.min},
+                               {"p05", conformity.p05},
+                               {"median", conformity.median},
+                               {"p95", conformity.p95},
+                               {"max", conformity.max}};
+    json["max_displacement"] = report.recovery.maxDisplacement;
+    json["snap_pixel"] = report.recovery.snapPixel;
+    json["unreached"] = unreachedList(report.unreached);
+    json["default_size"] = report.defaultSize;
+    json["weld"] = report.weld;
+    json["welded"] = report.welded;
+    json["messages"] = report.messages;
+    json["seconds"] = secondsObject(report.seconds);
+    json["peak_memory_bytes"] = peakMemoryBytes();
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string formatReport(const MeshCheck& check)
+{
+    Json json;
+    json["version"] = TESSERA_VERSION;
+    json["valid"] = check.valid();
+    json["problems"] = check.problems;
+    json["vertices"] = check.nodes;
+    json["unused_vertices"] = check.unusedNodes;
+    json["edges"] = check.edges;
+    json["triangles"] = check.triangles;
+    json["quads"] = check.quads;
+    json["order"] = check.order;
+    json["area"] = check.area;
+    json["outline_length"] = check.outlineLength;
+    addQuality(json, check.quality);
+    json["peak_memory_bytes"] = peakMemoryBytes();
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace tessera
