@@ -65,14 +65,15 @@ bool inBox(Vec2 a, Vec2 b, Vec2 p)
         && p.y <= std::max(a.y, b.y);
 }
 
-double greatestCoordinate(const Triangulation& mesh)
+/// Brings all coordinates below 1 or thereabouts.
+double unscalingFactor(const Triangulation& mesh)
 {
     double greatest = 0.0;
     for (std::size_t v = 1; v < mesh.points.size(); ++v) {
         greatest
             = std::max({greatest, std::fabs(mesh.points[v].x), std::fabs(mesh.points[v].y)});
     }
-    return greatest;
+    return greatest > 0.0 ? 1.0 / greatest : 1.0;
 }
 
 } // namespace
@@ -84,7 +85,7 @@ BoundaryRecovery::BoundaryRecovery(Triangulation& mesh, std::span<const Segment>
     , strategy_(strategy)
     , observer_(observer)
     , firstCrossing_(static_cast<std::uint32_t>(mesh.points.size()))
-    , nearLine_(0x1p-47 * greatestCoordinate(mesh))
+    , unscale_(unscalingFactor(mesh))
     , chains_(segments.size(), mesh.points.size())
     , edit_(mesh)
 {}
@@ -205,9 +206,9 @@ bool BoundaryRecovery::isAhead(std::uint32_t s, std::uint32_t from, std::uint32_
 /// it. No decision on its own.
 bool BoundaryRecovery::isFlat(std::uint32_t x, std::uint32_t y, std::uint32_t z) const
 {
-    const Vec2 d = mesh_.points[y] - mesh_.points[x];
-    const Vec2 e = mesh_.points[z] - mesh_.points[x];
-    return std::fabs(tessera::cross(d, e)) <= nearLine_ * (std::fabs(d.x) + std::fabs(d.y));
+    const Vec2 d = unscale_ * (mesh_.points[y] - mesh_.points[x]);
+    const Vec2 e = unscale_ * (mesh_.points[z] - mesh_.points[x]);
+    return std::fabs(tessera::cross(d, e)) <= 0x1p-47 * (std::fabs(d.x) + std::fabs(d.y));
 }
 
 /// Whether the constrained edge belongs to a segment on the same line: then this one goes along.

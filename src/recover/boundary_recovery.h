@@ -90,7 +90,7 @@ private:
     RecoveryStrategy strategy_;
     RecoveryObserver* observer_;
     std::uint32_t firstCrossing_;
-    double nearLine_; ///< far above the rounding of any coordinate
+    double unscale_; ///< brings the greatest coordinate to about 1
     Chains chains_;
     MeshEdit edit_;
     RecoveryReport report_;

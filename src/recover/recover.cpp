@@ -3,13 +3,16 @@
 // Boundary recovery: which way for which input, and the result's maps.
 //
 //   no triangles    all vertices on one line: chains by sorting along it
-//   otherwise       the fast path (boundary_recovery.h)
+//   otherwise       the fast path (boundary_recovery.h); where that finds the input ill-conditioned,
+//                   snap rounding (snap_rounding.h) of the whole input and the fast path on its
+//                   pieces, which meet at vertices only
 
 #include "recover/recover.h"
 
-#include "predicates/predicates.h"
+#include "delaunay/delaunay.h"
 #include "recover/boundary_recovery.h"
 #include "recover/constraint_map.h"
+#include "recover/snap_rounding.h"
 
 #include <algorithm>
 #include <numeric>
@@ -60,10 +63,10 @@ VertexChains chainsOnLine(const Triangulation& mesh, std::span<const Segment> se
     return chains;
 }
 
-void countIncidences(const RecoveryResult& result, RecoveryReport& report)
+void countIncidences(RecoveryResult& result)
 {
     const ConstraintMap& map = result.constraints;
-    report.touches = 0;
+    RecoveryReport& report = result.report;
     for (std::size_t c = 0; c + 1 < map.chainStart.size(); ++c) {
         for (std::size_t i = map.chainStart[c] + 1U; i + 1 < map.chainStart[c + 1]; ++i) {
             report.touches += map.chainVertices[i] < result.firstCrossing ? 1U : 0U;
@@ -72,6 +75,93 @@ void countIncidences(const RecoveryResult& result, RecoveryReport& report)
     report.overlaps = static_cast<std::size_t>(
         std::count_if(map.subsegments.begin(), map.subsegments.end(),
                       [](const Subsegment& s) { return s.useCount >= 2; }));
+}
+
+/// Renumbers the vertices so that those of points below inputCount come first, otherwise in their
+/// order. Returns the vertex of each point.
+std::vector<std::uint32_t> moveInputFirst(Triangulation& mesh,
+                                          std::span<const std::uint32_t> vertexOfPoint,
+                                          std::size_t inputCount)
+{
+    std::vector<std::uint32_t> pointOf(mesh.points.size());
+    for (std::uint32_t p = 0; p < vertexOfPoint.size(); ++p) {
+        pointOf[vertexOfPoint[p]] = p;
+    }
+    std::vector<std::uint32_t> renamed(mesh.points.size(), Topology::kInfinite);
+    std::uint32_t next = 1;
+    for (const bool input : {true, false}) {
+        for (std::uint32_t v = 1; v < mesh.points.size(); ++v) {
+            if ((pointOf[v] < inputCount) == input) {
+                renamed[v] = next++;
+            }
+        }
+    }
+    std::vector<Vec2> points(mesh.points.size());
+    std::vector<std::uint32_t> incident(mesh.points.size());
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+        points[renamed[v]] = mesh.points[v];
+        incident[renamed[v]] = mesh.incident[v];
+    }
+    mesh.points = std::move(points);
+    mesh.incident = std::move(incident);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::uint32_t i = 0; i < 3 && !mesh.isDead(t); ++i) {
+            mesh.triangles[t].v[i] = renamed[mesh.triangles[t].v[i]];
+        }
+    }
+    std::vector<std::uint32_t> result(vertexOfPoint.size());
+    std::transform(vertexOfPoint.begin(), vertexOfPoint.end(), result.begin(),
+                   [&](std::uint32_t v) { return renamed[v]; });
+    return result;
+}
+
+/// The pieces of all chains, as constraints.
+std::vector<ConstraintEnds> piecesOf(const VertexChains& chains)
+{
+    std::vector<ConstraintEnds> pieces;
+    for (std::uint32_t s = 0; s + 1 < chains.start.size(); ++s) {
+        const auto chain = chains.of(s);
+        for (std::size_t i = 1; i < chain.size(); ++i) {
+            pieces.push_back({chain[i - 1], chain[i]});
+        }
+    }
+    return pieces;
+}
+
+/// Starts anew from the input points of the result's triangulation. Returns the chains.
+VertexChains recoverSnapped(RecoveryResult& result, std::span<const Segment> segments,
+                            RecoveryStrategy strategy, Execution& execution,
+                            RecoveryObserver* observer)
+{
+    const std::size_t inputSize = result.vertexMap.size();
+    SnapResult snapped = snapRound(std::span(result.triangulation.points).first(inputSize),
+                                   segments, execution);
+    DelaunayResult delaunay = triangulate(snapped.points, execution);
+    Triangulation& mesh = result.triangulation;
+    mesh = std::move(delaunay.triangulation);
+    const std::vector<std::uint32_t> vertexOfPoint
+        = moveInputFirst(mesh, delaunay.vertexOfPoint, snapped.inputCount);
+    for (std::size_t v = 1; v < inputSize; ++v) {
+        result.vertexMap[v] = vertexOfPoint[snapped.pointOf[v]];
+    }
+    for (std::uint32_t& v : snapped.chains.vertices) {
+        v = vertexOfPoint[v];
+    }
+    result.report = {};
+    if (!mesh.triangles.empty()) {
+        const SegmentTable pieces(piecesOf(snapped.chains), mesh.points.size());
+        BoundaryRecovery recovery(mesh, pieces.segments, strategy, observer);
+        recovery.run(execution);
+        result.report = recovery.report();
+    }
+    result.firstCrossing = static_cast<std::uint32_t>(snapped.inputCount + 1);
+    result.report.crossings = snapped.points.size() - snapped.inputCount;
+    if (strategy == RecoveryStrategy::Steiner) {
+        result.report.steinerInserted += result.report.crossings;
+    }
+    result.report.maxDisplacement = snapped.maxDisplacement;
+    result.report.snapPixel = snapped.pixel;
+    return std::move(snapped.chains);
 }
 
 } // namespace
@@ -96,15 +186,17 @@ RecoveryResult recoverBoundaries(Triangulation triangulation,
     }
     else {
         BoundaryRecovery recovery(mesh, table.segments, strategy, observer);
-        if (!recovery.run(execution)) {
-            throw Error(ErrorKind::InvalidInput, "The input is ill-conditioned.");
+        if (recovery.run(execution)) {
+            chains = VertexChains(recovery.chains(), table.segments.size());
+            result.report = recovery.report();
         }
-        chains = VertexChains(recovery.chains(), table.segments.size());
-        result.report = recovery.report();
+        else {
+            chains = recoverSnapped(result, table.segments, strategy, execution, observer);
+        }
     }
     result.constraints
         = makeConstraintMap(constraints, result.vertexMap, table, chains, mesh.points.size());
-    countIncidences(result, result.report);
+    countIncidences(result);
     return result;
 }
 

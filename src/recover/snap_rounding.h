@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/execution.h"
+#include "recover/chains.h"
+#include "recover/constraint_map.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tessera
+{
+
+/// Segments routed over a fixed grid so that they meet at vertices only.
+struct SnapResult
+{
+    std::vector<Vec2> points;             ///< different pixel centers, those of input points first
+    std::size_t inputCount = 0;           ///< how many of the points are those of input points
+    std::vector<std::uint32_t> pointOf;   ///< by input point: its index in points
+    VertexChains chains;                  ///< by segment: indices in points, from its a to its b
+    double pixel = 0.0;                   ///< side of the grid's squares
+    double maxDisplacement = 0.0;         ///< of an input point or a crossing
+};
+
+/// Snap rounding of the segments between the given points ([0] unused, as in a Triangulation), not
+/// all equal; see the head of snap_rounding.cpp. Total. Segments have different ends.
+SnapResult snapRound(std::span<const Vec2> points, std::span<const Segment> segments,
+                     Execution& execution);
+
+} // namespace tessera
