@@ -6,7 +6,7 @@ import math
 from tessera.errors import InvalidOptionError
 from tessera.native import module as native
 from tessera.result import Mesh
-from tessera.sources import prepare
+from tessera.sources import Prepared, prepare
 
 Execution = native.Execution
 VERSION = native.version
@@ -50,7 +50,8 @@ def mesh(
                   (points, segments) or (points, segments, markers) with points (n, 2) and segments
                   (m, 2) of indices from 0; a polygon (n, 2), or a list of its outline and holes; or
                   a list of any one kind: each item is one operand, and what any of them covers is
-                  meshed. Lengths in the source's unit (FreeCAD: mm).
+                  meshed; or what tessera.sources.prepare() made of these, for a run on another
+                  thread that must not look at the document. Lengths in the source's unit (FreeCAD: mm).
     size          target edge length, > 0; None: diagonal of the bounding box / 40.
     min_size      nowhere smaller, > 0; None: no bound.
     growth        greatest change of the edge length per length, 0 < growth <= 1.
@@ -92,7 +93,10 @@ def mesh(
     run = Execution() if execution is None else execution
     if time_limit is not None:
         run.set_time_limit(_positive("time_limit", time_limit))
-    prepared = prepare(source, bool(construction), constraint, boundary)
+    if isinstance(source, Prepared):
+        prepared = source
+    else:
+        prepared = prepare(source, bool(construction), constraint, boundary)
     return Mesh(native.mesh(prepared.network, options, run, progress), prepared.base)
 
 

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""What a user asks to be meshed, apart from where it is kept: in a document object's properties or
+in the fields of a task panel."""
+
+from dataclasses import dataclass
+from typing import Any, Tuple
+
+import tessera
+
+#: Values of the property Fill and what the mesher calls them.
+FILLS = {
+    "Even-odd": "even-odd",
+    "Nonzero": "nonzero",
+    "Positive": "positive",
+    "Negative": "negative",
+    "All": "all",
+    "Hull": "hull",
+}
+
+
+@dataclass(frozen=True)
+class MeshRequest:
+    """Everything that decides what the mesh will be."""
+
+    source: Any  #: document object, or None
+    faces: Tuple[str, ...] = ()  #: names of the source's faces; none: the whole source
+    size: float = 0.0  #: target edge length, mm
+    growth: float = 0.3
+    order: int = 1
+    fill: str = "Even-odd"  #: a key of FILLS
+    constraints: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: (object, edge names)
+
+    def prepare(self):
+        """Reads the document, on the main thread; the result does not look at it again."""
+        from tessera.sources import prepare
+
+        if self.source is None:
+            raise tessera.InvalidInputError(
+                "There is nothing to mesh; choose a sketch or a planar shape as Source."
+            )
+        item = (self.source, list(self.faces)) if self.faces else self.source
+        return prepare(item, constraint=list(self.constraints))
+
+    def mesh(self, prepared, progress=None, execution=None):
+        """Runs the mesher, on any thread. Raises tessera.Error."""
+        return tessera.mesh(
+            prepared,
+            size=self.size,
+            growth=self.growth,
+            order=self.order,
+            fill=FILLS[self.fill],
+            progress=progress,
+            execution=execution,
+        )
+
+
+def default_size(source, faces=()):
+    """A size that gives a mesh of moderate number: the diagonal / 40, in round figures; 0 if the
+    source has no extent."""
+    shape = getattr(source, "Shape", None)
+    if shape is None or shape.isNull():
+        return 0.0
+    box = shape.BoundBox
+    if faces:
+        box = shape.getElement(faces[0]).BoundBox
+        for face in faces[1:]:
+            box.add(shape.getElement(face).BoundBox)
+    if not box.isValid() or not box.DiagonalLength > 0.0:
+        return 0.0
+    return float(f"{box.DiagonalLength / 40.0:.3g}")
