@@ -66,13 +66,16 @@ public:
         , execution_(execution)
     {}
 
-    std::size_t run()
+    std::size_t run(std::uint32_t firstGood, std::uint32_t endGood)
     {
         grow();
-        for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
+        std::fill(state_.begin() + firstGood, state_.begin() + endGood, State::Accepted);
+        const auto skipGood = [&](std::uint32_t i) { return i == firstGood ? endGood : i; };
+        const auto end = static_cast<std::uint32_t>(t_.triangles.size());
+        for (std::uint32_t i = skipGood(0); i < end; i = skipGood(i + 1)) {
             judge(i);
         }
-        for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
+        for (std::uint32_t i = skipGood(0); i < end; i = skipGood(i + 1)) {
             push(i);
         }
         std::size_t steps = 0;
@@ -268,9 +271,10 @@ private:
 
 } // namespace
 
-std::size_t placeFrontal(MeshEditor& editor, VertexSizes& sizes, Execution& execution)
+std::size_t placeFrontal(MeshEditor& editor, VertexSizes& sizes, std::uint32_t firstGood,
+                         std::uint32_t endGood, Execution& execution)
 {
-    return Front(editor, sizes, execution).run();
+    return Front(editor, sizes, execution).run(firstGood, endGood);
 }
 
 } // namespace tessera

@@ -52,6 +52,15 @@ std::uint32_t MeshEditor::findRecord(std::uint32_t a, std::uint32_t b) const
     return found == recordOf_.end() ? kNone : found->second;
 }
 
+HalfEdge MeshEditor::anyEdge() const
+{
+    std::uint32_t v = 1;
+    while (triangulation().incident[v] == Topology::kDead) {
+        ++v;
+    }
+    return triangulation().incident[v];
+}
+
 VisibleWalk MeshEditor::walk(HalfEdge start, Vec2 p) const
 {
     const Triangulation& t = triangulation();
@@ -123,6 +132,24 @@ std::uint32_t MeshEditor::insertInside(Vec2 p, const Location& where)
     addVertex(v, VertexOrigin::Interior);
     paintStar(v, region);
     return v;
+}
+
+void MeshEditor::insertIsolated(std::uint32_t vertex, const Location& where)
+{
+    Triangulation& t = mesh_.triangulation;
+    const std::uint32_t region = mesh_.regionOfTriangle[Topology::triangleOf(where.edge)];
+    const std::uint32_t temporary = insertPointAt(t, t.points[vertex], where);
+    t.incident[vertex] = t.incident[temporary];
+    mesh_.regionOfTriangle.resize(t.triangles.size(), WorkingMesh::kOutside);
+    HalfEdge h = t.incident[vertex];
+    do {
+        const std::uint32_t triangle = Topology::triangleOf(h);
+        t.triangles[triangle].v[Topology::next3(Topology::sideOf(h))] = vertex;
+        mesh_.regionOfTriangle[triangle] = region;
+        h = t.nextAround(h);
+    } while (h != t.incident[vertex]);
+    t.points.pop_back();
+    t.incident.pop_back();
 }
 
 /// The point of the edge whose distance from its end a (else b) is fraction of the chord.

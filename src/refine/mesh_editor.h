@@ -36,6 +36,7 @@ public:
     explicit MeshEditor(WorkingMesh& mesh);
 
     WorkingMesh& mesh() { return mesh_; }
+    const WorkingMesh& constMesh() const { return mesh_; }
     const Triangulation& triangulation() const { return mesh_.triangulation; }
     bool isKept(std::uint32_t triangle) const
     {
@@ -46,12 +47,18 @@ public:
         return mesh_.origin[vertex] == VertexOrigin::Interior;
     }
 
+    /// A half-edge of some live triangle. Precondition: there is one.
+    HalfEdge anyEdge() const;
+
     /// Walks from the triangle of start towards p through edges that are not constrained.
     VisibleWalk walk(HalfEdge start, Vec2 p) const;
 
     /// Inserts a free vertex. Precondition: where is a kept triangle or an edge that is not
     /// constrained inside one region.
     std::uint32_t insertInside(Vec2 p, const Location& where);
+
+    /// As insertInside for a vertex that has its place in points but no triangle yet.
+    void insertIsolated(std::uint32_t vertex, const Location& where);
 
     /// Index into mesh().edges; kNone if the two vertices are not joined by a constrained edge.
     std::uint32_t findRecord(std::uint32_t a, std::uint32_t b) const;

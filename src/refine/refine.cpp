@@ -4,11 +4,45 @@
 
 #include "refine/delaunay_refinement.h"
 #include "refine/front.h"
+#include "refine/lattice.h"
 #include "refine/mesh_editor.h"
 #include "refine/vertex_sizes.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tessera
 {
+
+namespace
+{
+
+/// Two rows of free points between boundary and lattice take up the misfit: measured at 1e5
+/// triangles, 1st percentile of the smallest angles 45.0 degrees with 0.8 h, 47.2 with 2.6 h, 47.3
+/// with 5.2 h.
+constexpr double kClearance = 2.6;
+/// Below this share of the coordinates rounding may disturb a lattice.
+constexpr double kSmallestSpacing = 1e-9;
+
+/// Fills what is far enough from the boundary with a lattice where the size is uniform.
+LatticePatch placeLattice(MeshEditor& editor, VertexSizes& sizes, Execution& execution)
+{
+    const double h = sizes.uniformSize();
+    Box2 box;
+    for (std::uint32_t v = 1; v < editor.triangulation().points.size(); ++v) {
+        box.add(editor.triangulation().points[v]);
+    }
+    const double largest = std::max({std::fabs(box.min.x), std::fabs(box.min.y),
+                                     std::fabs(box.max.x), std::fabs(box.max.y)});
+    if (!(h > kSmallestSpacing * largest)) {
+        return {};
+    }
+    const HexLattice lattice {box.min, h};
+    return insertLattice(editor, sizes, lattice,
+                         findLatticeRuns(editor, sizes, lattice, kClearance), execution);
+}
+
+} // namespace
 
 RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
                     Execution& execution)
@@ -21,7 +55,11 @@ RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOption
     MeshEditor editor(mesh);
     VertexSizes sizes(editor, size, options);
     sizes.prepare(report, execution);
-    report.interiorPoints += placeFrontal(editor, sizes, execution);
+    const LatticePatch patch = placeLattice(editor, sizes, execution);
+    report.interiorPoints += patch.points;
+    report.interiorPoints
+        += placeFrontal(editor, sizes, patch.firstTriangle, patch.endTriangle, execution);
+    releaseRim(editor, patch);
     refineDelaunay(editor, size, options, report, execution);
     report.unreached = findUnreached(mesh, options);
     return report;

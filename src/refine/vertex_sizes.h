@@ -6,6 +6,7 @@
 #include "refine/refine.h"
 #include "sizing/size_field.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,13 @@ public:
         }
         h_[vertex] = static_cast<float>(h);
     }
+    void fill(std::uint32_t begin, std::uint32_t end, double h)
+    {
+        h_.resize(end, 0.0F);
+        std::fill(h_.begin() + begin, h_.end(), static_cast<float>(h));
+    }
+    /// The constant value of fieldAt() if the size field is uniform, else 0.
+    double uniformSize() const { return std::min(size_.uniformSize(), areaSize_); }
     /// The size field itself, limited by the area limit of the whole mesh.
     double fieldAt(Vec2 p) const
     {

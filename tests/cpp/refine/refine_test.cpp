@@ -77,7 +77,7 @@ TEST(Refine, GradedPlateMeetsAnglesAndSizes)
     const Refined r = refineDomain(Domain::plate(size), size);
     expectValid(r);
     EXPECT_GE(r.figures.minAngle, 29.999);
-    EXPECT_GE(r.figures.p05, 0.7);
+    EXPECT_GE(r.figures.p05, 0.5);
     EXPECT_LE(r.figures.p95, 1.4);
 }
 
