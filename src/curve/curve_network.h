@@ -19,8 +19,8 @@ enum class Role : std::uint8_t
 {
     Boundary,   ///< separates inside from outside
     Constraint, ///< kept in the mesh, separates nothing
-    Outline,    ///< of its component only the outer outline is boundary, the rest constraint; a
-                ///< component is what such curves of one operand join
+    Outline,    ///< of its component (NetworkCurve::component) only the outer outline is boundary,
+                ///< the rest constraint
     Chain,      ///< boundary if it lies on a closed chain of such curves of its operand, otherwise
                 ///< constraint; arrange() decides, once end points are welded
     Ignored,    ///< not meshed
@@ -48,6 +48,9 @@ struct NetworkCurve
     Role role = Role::Boundary;
     std::int32_t marker = 0; ///< .poly boundary marker, 0 none
     std::uint32_t source = 0; ///< edge, geometry or segment number in the input; names groups
+    /// Role::Outline only: curves of one operand with the same number that also hang together in
+    /// the plane share an outline.
+    std::uint32_t component = 0;
 };
 
 /// A point that removes the face around it (.poly holes) from its operand.

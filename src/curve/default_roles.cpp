@@ -304,6 +304,7 @@ void assignPolyRoles(CurveNetwork& network, OperandId operand)
         const EdgeClasses classes = classifyEdges(edges, vertexCount, {.duplicatesOnce = true});
         for (std::size_t i = 0; i < curves.size(); ++i) {
             network.curves[curves[i]].role = roleOf(classes.classOf[i]);
+            network.curves[curves[i]].component = classes.component[i];
         }
     });
 }
@@ -318,6 +319,7 @@ void settleChainRoles(CurveNetwork& network)
             NetworkCurve& curve = network.curves[curves[i]];
             const bool closed = classes.classOf[i] == EdgeClass::Loop && curve.geometry;
             curve.role = closed ? Role::Boundary : roleOf(classes.classOf[i]);
+            curve.component = classes.component[i];
         }
     });
 }
