@@ -276,7 +276,7 @@ private:
         regions_ = colorRegions(recovered_, network_, pslg_, options_.fill, execution_);
         result_.report.regions = regions_.keptRegions;
         if (regions_.keptRegions == 0 && !allowsEmpty()) {
-            throw explainNoInside(recovered_, network_, pslg_, regions_, options_.fill);
+            throw explainNoInside(recovered_, network_, pslg_, options_.fill);
         }
         result_.report.messages.insert(result_.report.messages.end(), regions_.messages.begin(),
                                        regions_.messages.end());

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "region/no_inside.h"
 
-#include "region/fill_rules.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -121,10 +119,18 @@ bool hasFiniteTriangle(const Triangulation& t)
     return false;
 }
 
+/// What the result would be without one of its possible reasons.
+bool hasInside(const RecoveryResult& recovered, const CurveNetwork& network, const Pslg& pslg,
+               FillRule fill)
+{
+    Execution execution;
+    return colorRegions(recovered, network, pslg, fill, execution).keptRegions > 0;
+}
+
 } // namespace
 
 Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& network,
-                      const Pslg& pslg, const RegionMap& map, FillRule fill)
+                      const Pslg& pslg, FillRule fill)
 {
     const auto any = [&network](auto wanted) {
         return std::any_of(network.curves.begin(), network.curves.end(), wanted);
@@ -149,16 +155,17 @@ Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& netwo
                 " boundary or choose Fill = All.",
                 {startOf(network, isMeshed)}};
     }
-    const bool bounded = std::find(map.isBoundary.begin(), map.isBoundary.end(), 1)
-        != map.isBoundary.end();
-    if (bounded && (fill == FillRule::Positive || fill == FillRule::Negative)) {
+    const bool bySign = fill == FillRule::Positive || fill == FillRule::Negative;
+    if (bySign && hasInside(recovered, network, pslg, FillRule::NonZero)) {
         const std::string way = fill == FillRule::Positive ? "clockwise" : "counter-clockwise";
         return {ErrorKind::NoInside,
                 "Every outline runs " + way
                     + ", which this fill rule leaves out; choose Fill = Even-odd or Non-zero.",
                 {startOf(network, bounds)}};
     }
-    if (!network.holes.empty() && fill != FillRule::All) {
+    CurveNetwork withoutHoles = network;
+    withoutHoles.holes.clear();
+    if (!network.holes.empty() && hasInside(recovered, withoutHoles, pslg, fill)) {
         return {ErrorKind::NoInside,
                 "The hole points leave nothing of the inside; remove the one that lies in the part"
                 " to mesh.",
@@ -168,7 +175,7 @@ Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& netwo
         return openError(network, ends);
     }
     return {ErrorKind::NoInside,
-            "The outline encloses no area: each of its parts is drawn twice or runs back on itself.",
+            "The outline encloses no area: its parts are drawn twice or run back on themselves.",
             {startOf(network, bounds)}};
 }
 
