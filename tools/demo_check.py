@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: MIT
+"""What a drawing demands of its mesh, worked out from FreeCAD's curves without the mesher: area of
+the inside, crossings, and every piece of every curve. Compares a mesh with it.
+
+Inside is what any operand covers; an operand covers by the even-odd rule what its boundary curves
+enclose. Boundary curves are those on closed chains, the others are constraints."""
+
+import math
+
+import numpy as np
+
+# Five Gauss-Legendre points: exact for polynomials up to degree 9.
+GAUSS_X, GAUSS_W = np.polynomial.legendre.leggauss(5)
+SPANS = 64  # integration spans of a piece of a curve that is not straight
+
+
+class DrawnCurve:
+    """One edge of the drawing, in the x-y plane of the first sketch."""
+
+    def __init__(self, edge, operand):
+        self.edge = edge
+        self.operand = operand
+        self.boundary = False
+        self.first, self.last = edge.ParameterRange
+        self.straight = edge.Curve.TypeId == "Part::GeomLine"
+        self.ends = [self.point(self.first), self.point(self.last)]
+        box = edge.BoundBox
+        self.box = (box.XMin, box.YMin, box.XMax, box.YMax)
+        self.cuts = [self.first, self.last]  # parameters where the drawing splits it
+
+    def point(self, t):
+        p = self.edge.valueAt(t)
+        return np.array([p.x, p.y])
+
+    def parameter(self, p):
+        """Of the nearest point of the whole line, circle, ...; may lie outside of the range."""
+        if self.straight:
+            a, b = self.ends
+            return self.first + np.dot(p - a, b - a) / np.dot(b - a, b - a) * (self.last - self.first)
+        from FreeCAD import Vector
+
+        t = self.edge.Curve.parameter(Vector(p[0], p[1], 0))
+        if self.edge.Curve.isPeriodic():
+            period = self.edge.Curve.period()
+            t = min((t - period, t, t + period), key=lambda u: max(self.first - u, u - self.last))
+        return t
+
+
+class Drawing:
+    """operands: a list of lists of edges; constraints: further edges that bound nothing."""
+
+    def __init__(self, operands, constraints=()):
+        self.curves = [DrawnCurve(e, i) for i, edges in enumerate(operands) for e in edges]
+        self.curves += [DrawnCurve(edge, None) for edge in constraints]
+        boxes = np.array([curve.box for curve in self.curves])
+        self.boxes = boxes
+        self.size = float(np.hypot(*(boxes[:, 2:].max(axis=0) - boxes[:, :2].min(axis=0))))
+        self.tolerance = 1e-8 * self.size
+        self._set_roles()
+        self.crossings, self.touches = self._split()
+        self._operand_segments = [self._segments_of(i) for i in range(len(operands))]
+        #: (curve, from, to, covered on the left, on the right) of each piece between cuts.
+        self.pieces = list(self._pieces())
+
+    def _key(self, p):
+        return tuple(np.round(p / (10 * self.tolerance)).astype(np.int64))
+
+    def _set_roles(self):
+        """Boundary: the curves of a chain whose every end joins an even number of curves."""
+        for operand in {c.operand for c in self.curves} - {None}:
+            curves = [c for c in self.curves if c.operand == operand]
+            degree, leader = {}, {}
+
+            def find(key):
+                while leader.setdefault(key, key) != key:
+                    key = leader[key]
+                return key
+
+            for curve in curves:
+                for end in curve.ends:
+                    degree[self._key(end)] = degree.get(self._key(end), 0) + 1
+                leader[find(self._key(curve.ends[0]))] = find(self._key(curve.ends[1]))
+            open_chains = {find(key) for key, count in degree.items() if count % 2}
+            for curve in curves:
+                curve.boundary = find(self._key(curve.ends[0])) not in open_chains
+
+    def _split(self):
+        """Cuts every curve where another meets it; returns the numbers of distinct points where
+        curves cross, and where ends lie inside other curves."""
+        crossings, touches = set(), set()
+        for i, curve in enumerate(self.curves):
+            near = np.flatnonzero(
+                (self.boxes[:, 0] <= curve.box[2] + self.tolerance)
+                & (self.boxes[:, 2] >= curve.box[0] - self.tolerance)
+                & (self.boxes[:, 1] <= curve.box[3] + self.tolerance)
+                & (self.boxes[:, 3] >= curve.box[1] - self.tolerance)
+            )
+            for j in near[near > i]:
+                other = self.curves[j]
+                for point in self._meetings(curve, other):
+                    inner = [self._cut(c, point) for c in (curve, other)]
+                    if all(inner):
+                        crossings.add(self._key(point))
+                    elif any(inner):
+                        touches.add(self._key(point))
+        for curve in self.curves:
+            curve.cuts = self._distinct(curve)
+        return len(crossings), len(touches - crossings)
+
+    def _cut(self, curve, point):
+        """Notes that the point lies on the curve; true if inside it, not at an end."""
+        if min(np.hypot(*(point - end)) for end in curve.ends) <= 10 * self.tolerance:
+            return False
+        curve.cuts.append(curve.parameter(point))
+        return True
+
+    def _distinct(self, curve):
+        cuts = []
+        for t in sorted(curve.cuts):
+            if not cuts or np.hypot(*(curve.point(t) - curve.point(cuts[-1]))) > self.tolerance:
+                cuts.append(t)
+        if len(cuts) == 1:  # a closed curve that nothing meets
+            return [curve.first, curve.last]
+        cuts[-1] = curve.last
+        return cuts
+
+    def _meetings(self, a, b):
+        if a.straight and b.straight:
+            points = line_meetings(*a.ends, *b.ends)
+        else:
+            points = [np.array([p.X, p.Y]) for p in a.edge.Curve.intersectCC(b.edge.Curve)]
+        points += [p for p in a.ends + b.ends]
+        return [p for p in points if self._on(a, p) and self._on(b, p)]
+
+    def _on(self, curve, p):
+        t = min(max(curve.parameter(p), curve.first), curve.last)
+        return np.hypot(*(curve.point(t) - p)) <= self.tolerance
+
+    def _segments_of(self, operand):
+        """The operand's boundary as many short segments, for inside()."""
+        segments = []
+        for curve in self.curves:
+            if curve.boundary and curve.operand == operand:
+                if curve.straight:
+                    points = np.array(curve.ends)
+                else:
+                    fine = curve.edge.discretize(QuasiDeflection=1e-7 * self.size)
+                    points = np.array([(p.x, p.y) for p in fine])
+                    points[0], points[-1] = curve.ends
+                segments.append(np.hstack([points[:-1], points[1:]]))
+        return np.vstack(segments) if segments else np.zeros((0, 4))
+
+    def inside(self, p):
+        """The operands that cover p."""
+        covering = set()
+        for operand, s in enumerate(self._operand_segments):
+            spans = (s[:, 1] > p[1]) != (s[:, 3] > p[1])
+            s = s[spans]
+            x = s[:, 0] + (p[1] - s[:, 1]) / (s[:, 3] - s[:, 1]) * (s[:, 2] - s[:, 0])
+            if np.count_nonzero(x > p[0]) % 2:
+                covering.add(operand)
+        return covering
+
+    def _pieces(self):
+        for curve in self.curves:
+            for t0, t1 in zip(curve.cuts, curve.cuts[1:]):
+                t = t0 + 0.4871 * (t1 - t0)
+                d = curve.edge.derivative1At(t)
+                normal = 1e-5 * self.size * np.array([-d.y, d.x]) / math.hypot(d.x, d.y)
+                p = curve.point(t)
+                yield curve, t0, t1, self.inside(p + normal), self.inside(p - normal)
+
+    def measure(self):
+        """(area of the inside, length of its outline), by integrals along the curves."""
+        area = length = 0.0
+        for curve, t0, t1, left, right in self.pieces:
+            if bool(left) != bool(right):
+                a, s = integrate(curve, t0, t1)
+                area += a if left else -a
+                length += s
+        return area, length
+
+
+def cross(u, v):
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def line_meetings(a, b, c, d):
+    """Where the lines a-b and c-d meet, unless parallel."""
+    u, v = b - a, d - c
+    if abs(cross(u, v)) <= 1e-12 * np.hypot(*u) * np.hypot(*v):
+        return []
+    return [a + cross(c - a, v) / cross(u, v) * u]
+
+
+def integrate(curve, t0, t1):
+    """(half the integral of x dy - y dx, length) of a piece."""
+    spans = np.linspace(t0, t1, 2 if curve.straight else SPANS + 1)
+    area = length = 0.0
+    for low, high in zip(spans, spans[1:]):
+        for x, weight in zip(GAUSS_X, GAUSS_W):
+            t = 0.5 * (low + high + x * (high - low))
+            p, d = curve.edge.valueAt(t), curve.edge.derivative1At(t)
+            w = 0.5 * weight * (high - low)
+            area += 0.5 * w * (p.x * d.y - p.y * d.x)
+            length += w * math.hypot(d.x, d.y)
+    return area, length
+
+
+class MeshComparison:
+    """A triangle mesh against a drawing; problems lists, in words, all that is wrong.
+
+    points (n, 2), triangles (m, 3). area is the mesh's, drawn_area the drawing's; the chords of
+    curved edges explain a difference of at most chord_error."""
+
+    def __init__(self, drawing, points, triangles):
+        self.problems = []
+        a, b, c = (points[triangles[:, i]] for i in range(3))
+        doubled = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+        if (doubled <= 0).any():
+            self.problems.append(f"{np.count_nonzero(doubled <= 0)} inverted triangles")
+        self.area = float(0.5 * doubled.sum())
+        self.drawn_area, self.drawn_outline = drawing.measure()
+        self.sides, uses = sides_of(triangles)
+        self.outline = float(np.hypot(*(points[self.sides[:, 0]] - points[self.sides[:, 1]]).T)[uses == 1].sum())
+        if (uses > 2).any():
+            self.problems.append("sides with more than two triangles")
+
+        self.chord_error = self.chord_shortening = 0.0
+        self.pieces = self.missing = 0
+        self._side_set = set(map(tuple, self.sides.tolist()))
+        self._nodes = np.unique(triangles)
+        self._points = points[self._nodes]
+        for curve, t0, t1, left, right in drawing.pieces:
+            if left or right:
+                self._follow(drawing, curve, t0, t1, bool(left) != bool(right))
+        if self.missing:
+            self.problems.append(f"{self.missing} of {self.pieces} pieces of curves are not in the mesh")
+        slack = 1e-9 * self.drawn_area
+        if abs(self.area - self.drawn_area) > self.chord_error + slack:
+            self.problems.append(
+                f"area {self.area:.9g}, drawn {self.drawn_area:.9g}, chords explain {self.chord_error:.3g}"
+            )
+        short = self.drawn_outline - self.outline
+        if not -1e-9 * self.drawn_outline <= short <= self.chord_shortening + 1e-9 * self.drawn_outline:
+            self.problems.append(
+                f"sides of one triangle are {self.outline:.9g} long, the outline {self.drawn_outline:.9g}"
+            )
+
+    def _follow(self, drawing, curve, t0, t1, outline):
+        """A piece is in the mesh if nodes lie at its ends and sides join those along it."""
+        self.pieces += 1
+        chain = self._nodes_on(drawing, curve, t0, t1)
+        ends = [curve.point(t0), curve.point(t1)]
+        found = [point for _, _, point in (chain[0], chain[-1])] if chain else []
+        joined = all(
+            (min(i, j), max(i, j)) in self._side_set for (_, i, _), (_, j, _) in zip(chain, chain[1:])
+        )
+        at_ends = found and all(np.hypot(*(p - q)) <= 10 * drawing.tolerance for p, q in zip(found, ends))
+        if len(chain) < 2 or not joined or not at_ends:
+            self.missing += 1
+            return
+        if outline and not curve.straight:
+            for (u, _, p), (v, _, q) in zip(chain, chain[1:]):
+                chord = np.hypot(*(q - p))
+                # A chord of a smooth arc cuts off less than its length times the sagitta.
+                steps = [curve.point(u + k / 8 * (v - u)) for k in range(1, 8)]
+                sagitta = max(abs(cross(q - p, s - p)) / chord for s in steps)
+                self.chord_error += 1.01 * chord * sagitta
+                self.chord_shortening += integrate(curve, u, v)[1] - chord
+
+    def _nodes_on(self, drawing, curve, t0, t1):
+        """(parameter, node, point) of the nodes on a piece, in its order."""
+        tolerance = drawing.tolerance
+        low, high = np.array(curve.box[:2]) - tolerance, np.array(curve.box[2:]) + tolerance
+        near = np.flatnonzero(((self._points >= low) & (self._points <= high)).all(axis=1))
+        if curve.straight:
+            a, b = curve.ends
+            u = (b - a) / np.hypot(*(b - a))
+            w = self._points[near] - a
+            near = near[np.abs(w[:, 0] * u[1] - w[:, 1] * u[0]) <= tolerance]
+        chain = []
+        slack = 10 * tolerance * (curve.last - curve.first) / curve.edge.Length
+        closed = t0 == curve.first and t1 == curve.last and np.hypot(*(curve.ends[0] - curve.ends[1])) < tolerance
+        for index in near:
+            p = self._points[index]
+            t = curve.parameter(p)
+            if t0 - slack <= t <= t1 + slack and np.hypot(*(curve.point(t) - p)) <= tolerance:
+                t = min(max(t, t0), t1)
+                chain.append((t, int(self._nodes[index]), p))
+                if closed and min(t - t0, t1 - t) <= slack:  # the node where it closes: both ends
+                    chain.append((t1 if t - t0 <= slack else t0, int(self._nodes[index]), p))
+        return sorted(chain, key=lambda item: item[0])
+
+
+def sides_of(triangles):
+    """(k, 2) sides, smaller node first, and how many triangles have each."""
+    sides = np.sort(np.vstack([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    return np.unique(sides, axis=0, return_counts=True)
