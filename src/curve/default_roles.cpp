@@ -296,9 +296,13 @@ EdgeClasses classifyEdges(std::span<const GraphEdge> edges, std::size_t vertexCo
     return EdgeClassifier(edges, vertexCount).run(options);
 }
 
-void assignPolyRoles(CurveNetwork& network, OperandId operand)
+void assignPolyRoles(CurveNetwork& network, OperandId operand,
+                     std::span<const std::int32_t> settledMarkers)
 {
-    const auto wanted = [operand](const NetworkCurve& c) { return c.operand == operand; };
+    const auto wanted = [operand, settledMarkers](const NetworkCurve& c) {
+        return c.operand == operand
+            && std::ranges::find(settledMarkers, c.marker) == settledMarkers.end();
+    };
     forEachOperand(network, wanted, [&network](std::span<const std::uint32_t> curves) {
         const auto [edges, vertexCount] = graphOf(network, curves);
         const EdgeClasses classes = classifyEdges(edges, vertexCount, {.duplicatesOnce = true});

@@ -19,14 +19,14 @@ std::string extensionOf(const std::filesystem::path& path)
     return extension;
 }
 
-CurveNetwork readNetwork(const std::filesystem::path& path)
+CurveNetwork readNetwork(const std::filesystem::path& path, const RoleLists& roles)
 {
     const std::string extension = extensionOf(path);
     if (extension == ".poly") {
-        return readPoly(path);
+        return readPoly(path, roles);
     }
     if (extension == ".wkt") {
-        return readWkt(path);
+        return readWkt(path, roles);
     }
     throw Error(ErrorKind::Unreadable,
                 fmt::format("{}: files of this kind cannot be read; give a .poly or .wkt file.",

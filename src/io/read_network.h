@@ -2,6 +2,7 @@
 #pragma once
 
 #include "curve/curve_network.h"
+#include "io/role_lists.h"
 
 #include <filesystem>
 #include <string>
@@ -13,6 +14,6 @@ namespace tessera
 std::string extensionOf(const std::filesystem::path& path);
 
 /// Reads a .poly or .wkt file, by extension in any case. Throws Error(Unreadable).
-CurveNetwork readNetwork(const std::filesystem::path& path);
+CurveNetwork readNetwork(const std::filesystem::path& path, const RoleLists& roles = {});
 
 } // namespace tessera

@@ -25,14 +25,17 @@ public:
         network_.operands.emplace_back().name = std::filesystem::path(name).stem().string();
     }
 
-    CurveNetwork run()
+    CurveNetwork run(const RoleLists& roles)
     {
         readPointSection();
         readSegments();
         embedPoints();
         readHoles();
         readRegions();
-        assignPolyRoles(network_, OperandId(0U));
+        for (NetworkCurve& curve : network_.curves) {
+            roles.apply(curve, curve.marker);
+        }
+        assignPolyRoles(network_, OperandId(0U), roles.all());
         if (lines_.next()) {
             lines_.fail("the file should end here; delete what follows the regions.");
         }
@@ -197,16 +200,16 @@ private:
 } // namespace
 
 CurveNetwork parsePoly(std::string_view text, const std::string& name,
-                       const std::filesystem::path& nodePath)
+                       const std::filesystem::path& nodePath, const RoleLists& roles)
 {
-    return PolyReader(text, name, nodePath).run();
+    return PolyReader(text, name, nodePath).run(roles);
 }
 
-CurveNetwork readPoly(const std::filesystem::path& path)
+CurveNetwork readPoly(const std::filesystem::path& path, const RoleLists& roles)
 {
     std::filesystem::path nodePath = path;
     nodePath.replace_extension(".node");
-    return parsePoly(readTextFile(path), path.string(), nodePath);
+    return parsePoly(readTextFile(path), path.string(), nodePath, roles);
 }
 
 } // namespace tessera

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "curve/curve_network.h"
+#include "io/role_lists.h"
 
 #include <filesystem>
 #include <string>
@@ -18,12 +19,12 @@ namespace tessera
 /// A missing marker is 0. The hole section must be there, so that a file cut off after its segments
 /// is not taken for a domain without holes; the region section may be missing.
 ///
-/// Roles are the default ones (assignPolyRoles). Throws Error(Unreadable) with file and line.
-CurveNetwork readPoly(const std::filesystem::path& path);
+/// Roles are those of the lists by marker, the others the default ones (assignPolyRoles). Throws Error(Unreadable) with file and line.
+CurveNetwork readPoly(const std::filesystem::path& path, const RoleLists& roles = {});
 
 /// The same from text; name is used in messages and for the operand. nodePath is the .node file to
 /// read if the text has no points; empty: there is none.
 CurveNetwork parsePoly(std::string_view text, const std::string& name,
-                       const std::filesystem::path& nodePath = {});
+                       const std::filesystem::path& nodePath = {}, const RoleLists& roles = {});
 
 } // namespace tessera

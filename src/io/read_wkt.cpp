@@ -375,14 +375,18 @@ private:
 
 } // namespace
 
-CurveNetwork parseWkt(std::string_view text, const std::string& name)
+CurveNetwork parseWkt(std::string_view text, const std::string& name, const RoleLists& roles)
 {
-    return WktReader(text, name).run();
+    CurveNetwork network = WktReader(text, name).run();
+    for (NetworkCurve& curve : network.curves) {
+        roles.apply(curve, curve.source);
+    }
+    return network;
 }
 
-CurveNetwork readWkt(const std::filesystem::path& path)
+CurveNetwork readWkt(const std::filesystem::path& path, const RoleLists& roles)
 {
-    return parseWkt(readTextFile(path), path.string());
+    return parseWkt(readTextFile(path), path.string(), roles);
 }
 
 } // namespace tessera

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/report_json.h"
 
-#include <nlohmann/json.hpp>
+#include "io/system_memory.h"
 
-#include <sys/resource.h>
+#include <nlohmann/json.hpp>
 
 namespace tessera
 {
@@ -52,16 +52,6 @@ Json secondsObject(const StageSeconds& s)
 }
 
 } // namespace
-
-std::uint64_t peakMemoryBytes()
-{
-    rusage usage {};
-    if (getrusage(RUSAGE_SELF, &usage) != 0) {
-        return 0;
-    }
-    constexpr std::uint64_t kUnit = 1024; // Linux counts KiB
-    return kUnit * static_cast<std::uint64_t>(usage.ru_maxrss);
-}
 
 std::string formatReport(const MeshResult& result)
 {

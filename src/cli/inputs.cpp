@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "cli/inputs.h"
+
+#include "base/error.h"
+#include "io/append_network.h"
+#include "io/read_network.h"
+#include "occt/read_cad.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string_view>
+
+namespace tessera::cli
+{
+
+namespace
+{
+
+enum class InputKind
+{
+    Poly,
+    Wkt,
+    Cad,
+};
+
+InputKind kindOf(const std::string& path)
+{
+    constexpr std::array<std::pair<std::string_view, InputKind>, 6> kKinds {{
+        {".poly", InputKind::Poly},
+        {".wkt", InputKind::Wkt},
+        {".brep", InputKind::Cad},
+        {".brp", InputKind::Cad},
+        {".step", InputKind::Cad},
+        {".stp", InputKind::Cad},
+    }};
+    const std::string extension = extensionOf(path);
+    for (const auto& [known, kind] : kKinds) {
+        if (known == extension) {
+            return kind;
+        }
+    }
+    throw Error(ErrorKind::Unreadable,
+                fmt::format("{}: files of this kind cannot be read; give .poly, .wkt, .brep or "
+                            ".step files.",
+                            path));
+}
+
+class InputReader
+{
+public:
+    InputReader(const RoleLists& roles, bool several)
+        : roles_(roles)
+        , several_(several)
+    {}
+
+    void read(const std::string& path)
+    {
+        const InputKind kind = kindOf(path);
+        CurveNetwork network = kind == InputKind::Cad ? readCadFile(path)
+                                                      : readNetwork(path, roles_);
+        for (const NetworkCurve& curve : network.curves) {
+            numbers_.insert(kind == InputKind::Poly ? curve.marker
+                                                    : static_cast<std::int64_t>(curve.source));
+        }
+        if (kind == InputKind::Wkt && several_) {
+            prefixNames(network, std::filesystem::path(path).stem().string() + "_");
+        }
+        appendNetwork(inputs_.network, std::move(network));
+    }
+
+    Inputs finish()
+    {
+        for (const std::int32_t number : roles_.all()) {
+            if (!numbers_.contains(number)) {
+                throw Error(ErrorKind::InvalidOption,
+                            fmt::format("No segment has the marker, line or edge number {} that "
+                                        "--boundary or --constraint lists.",
+                                        number));
+            }
+        }
+        return std::move(inputs_);
+    }
+
+private:
+    CurveNetwork readCadFile(const std::string& path)
+    {
+        CadOptions options;
+        options.plane = plane_;
+        if (several_) {
+            options.name = std::filesystem::path(path).stem().string();
+        }
+        for (const std::int32_t edge : roles_.boundary) {
+            addEdgeRole(options, edge, Role::Boundary);
+        }
+        for (const std::int32_t edge : roles_.constraint) {
+            addEdgeRole(options, edge, Role::Constraint);
+        }
+        CadInput input = readCad(path, options);
+        plane_ = input.frame;
+        inputs_.defaultWeld = std::max(inputs_.defaultWeld, input.defaultWeld);
+        return std::move(input.network);
+    }
+
+    static void addEdgeRole(CadOptions& options, std::int32_t edge, Role role)
+    {
+        if (edge > 0) {
+            options.edgeRoles.emplace_back(static_cast<std::uint32_t>(edge), role);
+        }
+    }
+
+    static void prefixNames(CurveNetwork& network, const std::string& prefix)
+    {
+        for (Operand& operand : network.operands) {
+            operand.name = prefix + operand.name;
+        }
+        for (std::string& name : network.curveNames) {
+            name = prefix + name;
+        }
+        for (EmbeddedPoint& embedded : network.embedded) {
+            embedded.name = prefix + embedded.name;
+        }
+    }
+
+    const RoleLists& roles_;
+    bool several_;
+    Inputs inputs_;
+    std::optional<PlaneFrame> plane_;
+    std::set<std::int64_t> numbers_; ///< markers, lines and edges that there are
+};
+
+} // namespace
+
+Inputs readInputs(const std::vector<std::string>& paths, const RoleLists& roles)
+{
+    InputReader reader(roles, paths.size() > 1);
+    for (const std::string& path : paths) {
+        reader.read(path);
+    }
+    return reader.finish();
+}
+
+} // namespace tessera::cli

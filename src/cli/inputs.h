@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "curve/curve_network.h"
+#include "io/role_lists.h"
+
+#include <string>
+#include <vector>
+
+namespace tessera::cli
+{
+
+/// All inputs of a run as one network.
+struct Inputs
+{
+    CurveNetwork network;
+    double defaultWeld = 0.0; ///< the greatest of the inputs'
+};
+
+/// Reads the files, .poly, .wkt and CAD, their operands in order. CAD files after the first take
+/// the plane of the first. The lists' numbers apply to every file; one that no file has is refused.
+/// Throws Error.
+Inputs readInputs(const std::vector<std::string>& paths, const RoleLists& roles);
+
+} // namespace tessera::cli
