@@ -17,13 +17,13 @@ if(occt_sources)
 endif()
 
 # FiltersGeneral checks cells in the tests only.
-find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOLegacy FiltersGeneral
-             QUIET)
+find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel CommonMisc IOXML IOLegacy
+             FiltersGeneral QUIET)
 file(GLOB vtk_sources CONFIGURE_DEPENDS src/vtk/*.cpp)
 if(vtk_sources)
   add_library(tessera_vtk STATIC ${vtk_sources})
   target_link_libraries(tessera_vtk PUBLIC tessera_io VTK::CommonCore VTK::CommonDataModel
-                        VTK::IOXML VTK::IOLegacy)
+                        VTK::CommonMisc VTK::IOXML VTK::IOLegacy)
 endif()
 
 find_package(CLI11 REQUIRED)

@@ -178,7 +178,7 @@ int runMesh(const MeshArguments& a)
     const RunControl control(execution, a.quiet);
 
     // What cannot be written shows before the work, not after it.
-    AtomicFile(a.output);
+    requireWritable(a.output);
     std::optional<AtomicFile> reportFile;
     if (!a.report.empty()) {
         reportFile.emplace(a.report);

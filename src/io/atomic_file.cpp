@@ -105,4 +105,9 @@ void AtomicFile::fail(int reason) const
                 fmt::format("{}: cannot be written: {}.", path_.string(), std::strerror(reason)));
 }
 
+void requireWritable(const std::filesystem::path& path)
+{
+    const AtomicFile probe(path);
+}
+
 } // namespace tessera

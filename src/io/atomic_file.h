@@ -34,4 +34,7 @@ private:
     bool pending_ = false;
 };
 
+/// Throws Error(Unwritable) if a file of that name could not be created. Leaves nothing behind.
+void requireWritable(const std::filesystem::path& path);
+
 } // namespace tessera
