@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occt/read_cad.h"
 
+#include "occt/rehearse.h"
 #include "occt/shape_network.h"
 
 #include <BRepTools.hxx>
@@ -131,9 +132,6 @@ TopoDS_Shape shapeFromStep(const std::string& text, const std::filesystem::path&
     if (text.rfind("END-ISO-10303-21;") == std::string::npos) {
         throw unreadable(name, "cut off (no \"END-ISO-10303-21;\" at the end); export it again.");
     }
-    // OpenCASCADE's reader keeps global state.
-    static std::mutex mutex;
-    const std::lock_guard lock(mutex);
     const Silence silence;
     TopoDS_Shape shape;
     try {
@@ -152,6 +150,28 @@ TopoDS_Shape shapeFromStep(const std::string& text, const std::filesystem::path&
         throw unreadable(name, "holds no shape; export it again.");
     }
     return shape;
+}
+
+TopoDS_Shape shapeFromFile(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool step = extension == ".step" || extension == ".stp";
+    if (!step && extension != ".brep" && extension != ".brp") {
+        throw unreadable(path.string(), "not a .brep or .step file.");
+    }
+    const std::string text = readFile(path);
+    const auto read = [&] {
+        return step ? shapeFromStep(text, path) : shapeFromBrep(text, path.string());
+    };
+    // OpenCASCADE's STEP reader keeps global state.
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    if (!comesBack([&] { read(); }, text.size())) {
+        throw unreadable(path.string(), "damaged; export it again.");
+    }
+    return read();
 }
 
 } // namespace
@@ -186,17 +206,7 @@ std::vector<CadInput> readBrepTexts(std::span<const BrepText> shapes)
 
 CadInput readCad(const std::filesystem::path& path, const CadOptions& options)
 {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const std::string text = readFile(path);
-    if (extension == ".brep" || extension == ".brp") {
-        return readBrepText(text, options, path.string());
-    }
-    if (extension == ".step" || extension == ".stp") {
-        return networkFromShape(shapeFromStep(text, path), options);
-    }
-    throw unreadable(path.string(), "not a .brep or .step file.");
+    return networkFromShape(shapeFromFile(path), options);
 }
 
 } // namespace tessera

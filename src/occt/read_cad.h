@@ -14,10 +14,12 @@ namespace tessera
 /// Reads planar faces, wires, edges and vertices from a .brep, .brp, .step or .stp file (by
 /// extension, any case). Lengths in mm. Throws Error: Unreadable if the file does not exist, is cut
 /// off or is not in its format; InvalidInput if the shape is empty, not planar (with the distance)
-/// or not finite.
+/// or not finite. Reads twice, at first in a copy of the process, because OpenCASCADE's readers crash
+/// on damaged files.
 CadInput readCad(const std::filesystem::path& path, const CadOptions& options = {});
 
-/// The same from the text of a .brep file; name is used in messages.
+/// The same from the text of a .brep file that OpenCASCADE wrote just now: damage that ends in a
+/// crash of its reader is not caught here. name is used in messages.
 CadInput readBrepText(const std::string& text, const CadOptions& options = {},
                       const std::string& name = "shape");
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every planar face of the CAD files in the corpora, against OpenCASCADE's own area.
 #include "occt/read_cad.h"
+#include "occt/rehearse.h"
 #include "occt/shape_network.h"
 
 #include "network_measures.h"
@@ -20,8 +21,10 @@
 #include <TopoDS_Face.hxx>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 using namespace tessera;
 using namespace tessera::test;
@@ -234,4 +237,19 @@ TEST(ReadCad, TruncatedCorpusFilesAreUnreadable)
             ASSERT_EQ(messageOf(path).rfind("unreadable", 0), 0U) << name << " part " << i;
         }
     }
+}
+
+TEST(ReadCad, DamageThatCrashesOpenCascadeIsReported)
+{
+    std::string text = kOneEdgeBrep;
+    // A trimmed curve without the curve that it trims.
+    text.replace(text.find("1 0 0 0 1 0 0"), 13, "8 0 5\n99 0 0 0");
+    EXPECT_EQ(messageOf(scratch("damaged.brep", text)).rfind("unreadable", 0), 0U);
+}
+
+TEST(Rehearse, TellsCrashesFromExceptions)
+{
+    EXPECT_TRUE(comesBack([] {}, 0));
+    EXPECT_TRUE(comesBack([] { throw std::runtime_error("reported to the caller"); }, 0));
+    EXPECT_FALSE(comesBack([] { std::abort(); }, 0));
 }
