@@ -66,7 +66,8 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
         measureSpacing();
         measureGaps();
         limitGrowth();
-        if (options_.freezeBoundary || splitLongEdges(report) == 0) {
+        // The last round may not split: every vertex needs a size.
+        if (options_.freezeBoundary || round + 1 == kRounds || splitLongEdges(report) == 0) {
             break;
         }
     }
