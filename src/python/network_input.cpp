@@ -6,6 +6,7 @@
 #include "occt/read_cad.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <utility>
 
@@ -49,6 +50,27 @@ void embedUnusedPoints(CurveNetwork& network, OperandId operand)
     }
 }
 
+/// Adds the time of a scope to a sum.
+class Stopwatch
+{
+public:
+    explicit Stopwatch(double& sum)
+        : sum_(sum)
+    {}
+    ~Stopwatch()
+    {
+        sum_ += std::chrono::duration<double>(Clock::now() - begin_).count();
+    }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    double& sum_;
+    Clock::time_point begin_ = Clock::now();
+};
+
 } // namespace
 
 void NetworkInput::beginSource(const std::string& kind, std::vector<std::string> elements)
@@ -88,6 +110,7 @@ void NetworkInput::raise(const Error& error) const
 
 void NetworkInput::addShapes(const std::vector<Shape>& shapes)
 {
+    const Stopwatch stopwatch(seconds_);
     std::vector<BrepText> texts;
     for (const Shape& shape : shapes) {
         CadOptions options;
@@ -133,6 +156,7 @@ void NetworkInput::addShapes(const std::vector<Shape>& shapes)
 void NetworkInput::addSegments(const Coordinates& points, const Indices& segments,
                                const Indices& markers, const std::string& name, const Roles& roles)
 {
+    const Stopwatch stopwatch(seconds_);
     if (segments.size() > 0 && (segments.ndim() != 2 || segments.shape(1) != 2)) {
         refuse("segments must be an array of shape (m, 2) of point indices.");
     }
@@ -184,6 +208,7 @@ void NetworkInput::addSegments(const Coordinates& points, const Indices& segment
 void NetworkInput::addPolygon(const std::vector<Coordinates>& rings, const std::string& name,
                               Role role)
 {
+    const Stopwatch stopwatch(seconds_);
     CurveNetwork network;
     network.operands.push_back({name, true});
     for (const Coordinates& ring : rings) {
@@ -206,7 +231,7 @@ void NetworkInput::addPolygon(const std::vector<Coordinates>& rings, const std::
             curve.role = role;
             curve.source = first + i;
             network.curves.push_back(std::move(curve));
-            network.curveNames.push_back(name);
+            network.curveNames.push_back(name + "_Border");
         }
     }
     beginSource("Segment", {});

@@ -51,7 +51,7 @@ public:
     const CurveNetwork& network() const { return network_; }
     const PlaneFrame& frame() const { return frame_; }
     double defaultWeld() const { return defaultWeld_; }
-    std::size_t sourceCount() const { return sources_.size(); }
+    double secondsToRead() const { return seconds_; }
     /// As pybind expects it: raises the error with the names of what its places point at.
     [[noreturn]] void raise(const Error& error) const;
 
@@ -70,6 +70,7 @@ private:
     PlaneFrame frame_;
     double defaultWeld_ = 0.0;
     std::vector<Source> sources_;
+    double seconds_ = 0.0;
 };
 
 } // namespace tessera::python

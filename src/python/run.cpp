@@ -2,6 +2,9 @@
 #include "python/run.h"
 
 #include "base/execution.h"
+#include "io/report_json.h"
+#include "io/stage_pictures.h"
+#include "io/system_memory.h"
 #include "pipeline.h"
 #include "python/mesh_result.h"
 #include "python/network_input.h"
@@ -77,19 +80,28 @@ private:
 };
 
 std::shared_ptr<MeshHolder> runMesh(const NetworkInput& input, MeshOptions options,
-                                    Execution& execution, const py::object& progress)
+                                    Execution& execution, const py::object& progress,
+                                    const std::string& stagesFolder)
 {
     if (options.weld < 0.0) {
         options.weld = input.defaultWeld();
     }
+    options.memoryLimit = static_cast<double>(availableMemoryBytes());
     auto holder = std::make_shared<MeshHolder>();
-    holder->report = "{}";
     holder->network = input.network();
     holder->frame = input.frame();
     ProgressBridge bridge(progress, execution);
     try {
         const py::gil_scoped_release release;
-        holder->result = meshNetwork(holder->network, options, execution);
+        std::unique_ptr<StagePictures> stages;
+        if (!stagesFolder.empty()) {
+            stages = std::make_unique<StagePictures>(stagesFolder);
+        }
+        holder->result = meshNetwork(holder->network, options, execution, stages.get());
+        StageSeconds& seconds = holder->result.report.seconds;
+        seconds.read = input.secondsToRead();
+        seconds.total += seconds.read;
+        holder->report = formatReport(holder->result);
         bridge.tell(1.0, "done");
     }
     catch (const Error& error) {
@@ -127,7 +139,7 @@ void defineRun(py::module_& module)
         .def_readwrite("optimize", &MeshOptions::optimize);
 
     module.def("mesh", &runMesh, py::arg("input"), py::arg("options"), py::arg("execution"),
-               py::arg("progress") = py::none());
+               py::arg("progress"), py::arg("stages"));
 }
 
 } // namespace tessera::python

@@ -2,6 +2,7 @@
 """tessera.mesh(): checks the options and runs the mesher."""
 
 import math
+import os
 
 from tessera.errors import InvalidOptionError
 from tessera.native import module as native
@@ -97,7 +98,8 @@ def mesh(
         prepared = source
     else:
         prepared = prepare(source, bool(construction), constraint, boundary)
-    return Mesh(native.mesh(prepared.network, options, run, progress), prepared.base)
+    folder = "" if stages is None else os.fspath(stages)
+    return Mesh(native.mesh(prepared.network, options, run, progress, folder), prepared.base)
 
 
 def _number(name, value):

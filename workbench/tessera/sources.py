@@ -46,13 +46,11 @@ def _items(source):
         return [source]
     if isinstance(source, np.ndarray):
         raise InvalidInputError(f"A polygon must have shape (n, 2), not {source.shape}.")
-    try:
-        items = list(source)
-    except TypeError as error:
+    if isinstance(source, (str, bytes, dict)) or not hasattr(source, "__iter__"):
         raise InvalidInputError(
-            f"A {type(source).__name__} cannot be meshed; give a sketch, a shape, (points, segments) "
-            "or polygons."
-        ) from error
+            f"{source!r} cannot be meshed; give a sketch, a shape, (points, segments) or polygons."
+        )
+    items = list(source)
     if not items:
         raise InvalidInputError("The list of sources is empty; give a sketch, a shape or arrays.")
     return items
