@@ -23,8 +23,9 @@
 //
 // Ill-conditioned: a piece meets a constraint that the original does not cross, or crosses again; an
 // order along a segment that rounding turned over; a vertex exactly on a piece although its segment
-// does not pass it. All these end the run; snap rounding takes over (snap_rounding.h). Vertices and
-// segments whose true distances exceed some units in the last place never cause them.
+// does not pass it; in the end, a vertex beside a piece on the wrong side of its segment. All these
+// end the run; snap rounding takes over (snap_rounding.h). Vertices and segments whose true distances
+// exceed some units in the last place of the greatest coordinate never cause them.
 //
 // It ends: every step adds an incidence (segment, vertex), and there are finitely many crossings.
 // Cost: the triangles crossed by the pieces, and a constant number of flips and exact signs each.
@@ -103,7 +104,7 @@ bool BoundaryRecovery::run(Execution& execution)
         }
     }
     closeGaps();
-    return true;
+    return sidesAreTrue();
 }
 
 bool BoundaryRecovery::recover(std::uint32_t s)
@@ -204,11 +205,14 @@ bool BoundaryRecovery::isAhead(std::uint32_t s, std::uint32_t from, std::uint32_
 
 /// Whether the triangle of the three vertices is so flat that rounded points of one line could make
 /// it. No decision on its own.
+///
+/// A true point of the line moves by at most 2^-53 of the greatest coordinate in x and in y, so that
+/// cross(d, e) is at most 4 such units times |d.x| + |d.y|; computing it adds about as much.
 bool BoundaryRecovery::isFlat(std::uint32_t x, std::uint32_t y, std::uint32_t z) const
 {
     const Vec2 d = unscale_ * (mesh_.points[y] - mesh_.points[x]);
     const Vec2 e = unscale_ * (mesh_.points[z] - mesh_.points[x]);
-    return std::fabs(tessera::cross(d, e)) <= 0x1p-47 * (std::fabs(d.x) + std::fabs(d.y));
+    return std::fabs(tessera::cross(d, e)) <= 0x1p-49 * (std::fabs(d.x) + std::fabs(d.y));
 }
 
 /// Whether the constrained edge belongs to a segment on the same line: then this one goes along.
@@ -352,6 +356,46 @@ bool BoundaryRecovery::touches(std::uint32_t x, std::uint32_t y, std::uint32_t z
         }
     });
     return !uses_.empty();
+}
+
+/// Whether every vertex next to a constrained edge is on the side of its segments where it truly is.
+/// Otherwise rounding has hidden a crossing, or would let the order of the segments decide.
+bool BoundaryRecovery::sidesAreTrue() const
+{
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+        for (std::uint32_t i = 0; i < 3 && mesh_.isFinite(t); ++i) {
+            const HalfEdge edge = Topology::halfEdge(t, i);
+            if (mesh_.isConstrained(edge)
+                && isFlat(mesh_.origin(edge), mesh_.destination(edge), mesh_.apex(edge))
+                && !apexIsTrue(edge)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool BoundaryRecovery::apexIsTrue(HalfEdge edge) const
+{
+    const std::uint32_t x = mesh_.origin(edge);
+    const std::uint32_t y = mesh_.destination(edge);
+    const std::uint32_t z = mesh_.apex(edge);
+    const Vec2 from = mesh_.points[x];
+    const Vec2 to = mesh_.points[y];
+    const bool beside = compareAlong(from, to, mesh_.points[z], from) > 0
+        && compareAlong(from, to, mesh_.points[z], to) < 0;
+    if (!beside || (isInput(x) && isInput(y) && isInput(z))) {
+        return true;
+    }
+    if (!isInput(z)) {
+        return false;
+    }
+    bool isTrue = true;
+    chains_.forEachUse(x, y, [&](const Chains::Use& use) {
+        const int side = orient2d(start(use.segment), end(use.segment), mesh_.points[z]);
+        isTrue = isTrue && side == (use.forward ? 1 : -1);
+    });
+    return isTrue;
 }
 
 /// Moves the last vertices into the places of removed ones.

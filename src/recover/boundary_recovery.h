@@ -66,6 +66,8 @@ private:
     void countCrossing(std::uint32_t vertex, Vec2 residual);
     bool pickUpTouches(std::uint32_t x, std::uint32_t y);
     bool touches(std::uint32_t x, std::uint32_t y, std::uint32_t z);
+    bool sidesAreTrue() const;
+    bool apexIsTrue(HalfEdge edge) const;
     void closeGaps();
 
     bool passesThrough(std::uint32_t s, std::uint32_t crossingVertex) const;

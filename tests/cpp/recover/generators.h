@@ -95,14 +95,28 @@ inline RawPslg lattice(std::size_t n, int side, std::uint64_t seed)
     return raw;
 }
 
-/// n segments from x = 0 to x = 1 whose ends differ by at most `width`.
-inline RawPslg pencil(std::size_t n, double width, std::uint64_t seed)
+/// n near-parallel segments from x = 0 to x = 1 whose ends differ by at most `width`.
+inline RawPslg sheaf(std::size_t n, double width, std::uint64_t seed)
 {
     Random random(seed);
     RawPslg raw;
     for (std::size_t i = 0; i < n; ++i) {
         const double a = random.uniform(0.0, width);
         raw.addSegment({0.0, a}, {1.0, random.uniform(0.0, width)});
+    }
+    return raw;
+}
+
+/// n segments of length 1 in all directions, through points within `width` of the center.
+inline RawPslg pencil(std::size_t n, double width, std::uint64_t seed)
+{
+    Random random(seed);
+    RawPslg raw;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double angle = random.uniform(0.0, std::numbers::pi);
+        const Vec2 half {0.5 * std::cos(angle), 0.5 * std::sin(angle)};
+        const Vec2 middle = Vec2 {0.5, 0.5} + random.point(-width, width);
+        raw.addSegment(middle - half, middle + half);
     }
     return raw;
 }
