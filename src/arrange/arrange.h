@@ -40,9 +40,10 @@ struct ArrangeReport
     std::vector<std::string> messages; ///< for the user
 };
 
-/// Welds end points, settles Role::Chain, crosses straight curves if asked, and leaves out the points that no curve of a role other
-/// than Ignored and no embedded point uses. Validates the network first: throws
-/// Error(InvalidInput); Error(InvalidOption) for a tolerance that is negative or not finite.
+/// Welds end points, settles Role::Chain, crosses straight curves if asked, and leaves out the
+/// points that no curve of a role other than Ignored and no embedded point uses. Validates the
+/// network first: throws Error(InvalidInput); Error(InvalidOption) for a tolerance that is negative
+/// or not finite.
 CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
                      ArrangeReport& report, Execution& execution);
 

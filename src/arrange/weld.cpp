@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Welding by a grid of square cells whose diagonal is the tolerance: all points of a cell are within
-// it of each other (up to rounding, so the first one vouches for the rest), and their partners lie
-// in the 5 x 5 cells around. Cells are sorted by row, so that three binary searches find the half of
-// them that comes after. O(n log n), unless neighboring cells hold many points but none within the
-// tolerance of each other.
+// Welding by a grid of square cells whose diagonal is the tolerance: all points of a cell are
+// within it of each other (up to rounding, so the first one vouches for the rest), and their
+// partners lie in the 5 x 5 cells around. Cells are sorted by row, so that three binary searches
+// find the half of them that comes after. O(n log n), unless neighboring cells hold many points but
+// none within the tolerance of each other.
 #include "arrange/weld.h"
 
 #include "base/box2.h"

@@ -8,8 +8,8 @@
 namespace tessera
 {
 
-/// Arc of an ellipse, also a whole one: center + cos(t) u + sin(t) v for t in [first, last], with the
-/// conjugate half axes u and v. Counter-clockwise if cross(u, v) > 0.
+/// Arc of an ellipse, also a whole one: center + cos(t) u + sin(t) v for t in [first, last], with
+/// the conjugate half axes u and v. Counter-clockwise if cross(u, v) > 0.
 class EllipseArc final: public Curve
 {
 public:

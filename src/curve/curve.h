@@ -23,8 +23,8 @@ public:
     virtual Vec2 secondDerivative(double t) const = 0;
 
     /// Parameters strictly between first() and last(), ascending, where the curve is not twice
-    /// continuously differentiable: corners of a polyline, multiple knots of a spline. Sampling puts
-    /// a point on those where the tangent jumps.
+    /// continuously differentiable: corners of a polyline, multiple knots of a spline. Sampling
+    /// puts a point on those where the tangent jumps.
     virtual std::vector<double> breaks() const { return {}; }
 
     /// An upper bound of |d²/dt²| over [a, b], which has no break inside. The default samples the

@@ -50,8 +50,8 @@ EdgeClasses classifyEdges(std::span<const GraphEdge> edges, std::size_t vertexCo
 
 /// The roles of one .poly: by point index, duplicate segments once, dangling trees are constraints;
 /// of each remaining component all segments are boundary if every degree is even, otherwise they
-/// get Role::Outline. Repeated and zero-length segments become constraints. Segments with one of the
-/// settled markers keep the role they have, and the others are looked at without them.
+/// get Role::Outline. Repeated and zero-length segments become constraints. Segments with one of
+/// the settled markers keep the role they have, and the others are looked at without them.
 void assignPolyRoles(CurveNetwork& network, OperandId operand,
                      std::span<const std::int32_t> settledMarkers = {});
 

@@ -6,8 +6,8 @@
 namespace tessera
 {
 
-/// Straight line from a to b over [0, 1]. A NetworkCurve without geometry means the same; this class
-/// serves where a Curve is needed.
+/// Straight line from a to b over [0, 1]. A NetworkCurve without geometry means the same; this
+/// class serves where a Curve is needed.
 class LineCurve final: public Curve
 {
 public:

@@ -96,7 +96,8 @@ private:
         if (!std::isfinite(first) || !std::isfinite(last) || !(first < last)) {
             add(who + " has no finite parameter range.", positionOf(curve.start), id);
         }
-        else if (!isFinite(curve.geometry->point(first)) || !isFinite(curve.geometry->point(last))) {
+        else if (!isFinite(curve.geometry->point(first))
+                 || !isFinite(curve.geometry->point(last))) {
             add(who + " has an end that is not finite.", positionOf(curve.start), id);
         }
     }

@@ -18,7 +18,8 @@ struct NetworkProblem
 };
 
 /// Everything that makes a network unusable: coordinates or parameter ranges that are not finite,
-/// ids out of range, curves or points of an operand that does not exist. Does not look at the shape.
+/// ids out of range, curves or points of an operand that does not exist. Does not look at the
+/// shape.
 std::vector<NetworkProblem> findProblems(const CurveNetwork& network);
 
 /// Throws Error(InvalidInput) with the place of every problem, if there is any.

@@ -16,7 +16,8 @@ PolylineCurve::PolylineCurve(std::vector<Vec2> points)
     }
     for (const Vec2 p : points_) {
         if (!isFinite(p)) {
-            throw Error(ErrorKind::InvalidInput, "A polyline has a point that is not finite.", {{p}});
+            throw Error(ErrorKind::InvalidInput, "A polyline has a point that is not finite.",
+                        {{p}});
         }
     }
 }

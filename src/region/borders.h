@@ -36,12 +36,12 @@ struct Borders
 
 /// Turns roles and directions into winding numbers' steps that agree on every way around:
 ///
-/// - A boundary that does not close is read like a .poly: its dangling trees become constraints, its
-///   components with a vertex of odd degree keep only their outline; the user is told.
-/// - Where the winding number counts and an operand's boundary curves do not run head to tail (edges
-///   of a sketch), they are turned so that they do, starting with each loop's first curve.
-/// - Role::Outline becomes the outer contour of each component, counted as covering under every rule;
-///   under FillRule::All all curves of an operand are treated so.
+/// - A boundary that does not close is read like a .poly: its dangling trees become constraints,
+///   its components with a vertex of odd degree keep only their outline; the user is told.
+/// - Where the winding number counts and an operand's boundary curves do not run head to tail
+///   (edges of a sketch), they are turned so that they do, starting with each loop's first curve.
+/// - Role::Outline becomes the outer contour of each component, counted as covering under every
+///   rule; under FillRule::All all curves of an operand are treated so.
 Borders findBorders(const RecoveryResult& recovered, const CurveNetwork& network, const Pslg& pslg,
                     FillRule fill, const SubsegmentGraph& graph);
 

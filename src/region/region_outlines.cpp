@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The borders of a connected set of triangles, with the set on the left, turn at each vertex through
-// the outside. Where a set passes a vertex twice, the wedges of outside between its own wedges are
-// parts of different holes (or a hole and the outer space): a path through the set from one wedge
-// to the other closes around one of them. So no loop passes a vertex twice, exactly one is outer,
-// and the inside stays in one piece.
+// The borders of a connected set of triangles, with the set on the left, turn at each vertex
+// through the outside. Where a set passes a vertex twice, the wedges of outside between its own
+// wedges are parts of different holes (or a hole and the outer space): a path through the set from
+// one wedge to the other closes around one of them. So no loop passes a vertex twice, exactly one
+// is outer, and the inside stays in one piece.
 #include "region/region_outlines.h"
 
 #include "predicates/predicates.h"

@@ -172,7 +172,7 @@ private:
             dropped_.push_back(id);
             return;
         }
-        raise(counts, integrals, curve);
+        raise(counts, integrals, id);
         std::vector<double> parameters;
         for (std::size_t i = 0; i < stretches.size(); ++i) {
             if (i > 0) {
@@ -212,8 +212,9 @@ private:
 
     /// A closed curve needs 3 pieces to enclose anything, one that shares both ends 2 to differ.
     void raise(std::vector<std::size_t>& counts, const std::vector<SizeIntegral>& integrals,
-               const NetworkCurve& curve) const
+               CurveId id) const
     {
+        const NetworkCurve& curve = network_.curves[id.index()];
         const bool bent = counts.size() > 1
             || std::any_of(integrals.begin(), integrals.end(),
                            [](const SizeIntegral& i) { return !i.straight(); });
@@ -221,7 +222,7 @@ private:
         if (bent && curve.start == curve.end) {
             least = 3;
         }
-        else if (bent && sharesEnds_[static_cast<std::size_t>(&curve - network_.curves.data())] != 0) {
+        else if (bent && sharesEnds_[id.index()] != 0) {
             least = 2;
         }
         std::size_t sum = 0;

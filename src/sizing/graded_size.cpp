@@ -21,8 +21,8 @@ namespace
 constexpr std::size_t kShortList = 5;
 /// Cells of this depth are far smaller than any size that doubles can tell apart in the box.
 constexpr int kMaxDepth = 45;
-/// slope_ / growth_, and the interpolation error allowed, as a part of growth and size: two points d
-/// apart then differ by at most growth (0.97 d + 0.02 h) <= growth d once d >= 2/3 h.
+/// slope_ / growth_, and the interpolation error allowed, as a part of growth and size: two points
+/// d apart then differ by at most growth (0.97 d + 0.02 h) <= growth d once d >= 2/3 h.
 constexpr double kSlopeShare = 0.97;
 constexpr double kErrorShare = 0.01;
 

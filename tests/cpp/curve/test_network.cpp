@@ -83,7 +83,8 @@ TEST(ClassifyEdges, AgreesWithRemovalOnRandomGraphs)
         const std::uint32_t n = 2 + random() % 9;
         std::vector<GraphEdge> edges(1 + random() % 14);
         for (GraphEdge& e : edges) {
-            e = {static_cast<std::uint32_t>(random() % n), static_cast<std::uint32_t>(random() % n)};
+            e.a = static_cast<std::uint32_t>(random() % n);
+            e.b = static_cast<std::uint32_t>(random() % n);
         }
         const EdgeClasses classes = classifyEdges(edges, n, {.cutBridges = true});
         std::vector<int> degree(n);

@@ -236,7 +236,7 @@ TEST(MakeSizeField, RefusesBadOptions)
     const CurveNetwork network = squareWith(10);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<SizeOptions> bad {
-        {.size = -1},       {.size = nan},          {.minSize = -1},       {.size = 1, .minSize = 2},
+        {.size = -1},       {.size = nan},          {.minSize = -1}, {.size = 1, .minSize = 2},
         {.growth = 0},      {.growth = 2},          {.growth = nan},       {.piecesPerTurn = 1},
         {.chordError = -1}, {.piecesPerTurn = nan}, {.chordError = nan},   {.minSize = nan},
     };
