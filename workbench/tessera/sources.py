@@ -157,7 +157,7 @@ def _prepare_cad(items, construction, constraint, boundary):
 def _to_frame(source, base):
     """The placement that brings the source's shape into the frame of the first sketch, whose own
     shape is in it already; None: leave it."""
-    if base is None or (source.placement is not None and source.placement.isSame(base)):
+    if base is None or source.placement == base:
         return None
     if source.placement is not None:
         return base.inverse().multiply(source.placement)
