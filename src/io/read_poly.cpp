@@ -94,8 +94,7 @@ private:
                 lines.number("attribute");
             }
             if (marked) {
-                pointMarkers_.resize(count);
-                pointMarkers_[i] = readMarker(lines);
+                pointMarkers_.push_back(readMarker(lines));
             }
         }
     }
