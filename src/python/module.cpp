@@ -76,6 +76,21 @@ void defineFiles(py::module_& module)
             writeMesh(mesh.result.mesh, path, &mesh.network);
         },
         py::arg("mesh"), py::arg("path"), py::call_guard<py::gil_scoped_release>());
+    // For readers that complain about each edge.
+    module.def(
+        "write_triangles",
+        [](const MeshHolder& holder, const std::string& path) {
+            Mesh mesh;
+            mesh.nodes = holder.result.mesh.nodes;
+            mesh.nodeOrigin = holder.result.mesh.nodeOrigin;
+            mesh.triangles = holder.result.mesh.triangles;
+            mesh.triangleRegion = holder.result.mesh.triangleRegion;
+            mesh.triangleMidNodes = holder.result.mesh.triangleMidNodes;
+            mesh.regions = holder.result.mesh.regions;
+            mesh.edgeCurveStart = {0};
+            writeMesh(mesh, path);
+        },
+        py::arg("mesh"), py::arg("path"), py::call_guard<py::gil_scoped_release>());
     module.def("mesh_extensions", &meshExtensions);
 }
 

@@ -2,8 +2,8 @@
 """A mesh as FreeCAD's FemMesh.
 
 FreeCAD reads a .vtu with raw appended data about four times as fast as it adds nodes and triangles
-one by one. It numbers what it reads by itself and leaves edges out, so edges are added afterwards and
-all numbers are checked.
+one by one. It numbers what it reads by itself and complains about each edge, so edges are added
+afterwards and all numbers are checked.
 """
 
 import os
@@ -34,7 +34,7 @@ def _read_triangles(mesh):
     handle, path = tempfile.mkstemp(suffix=".vtu", prefix="tessera-", dir=folder)
     os.close(handle)
     try:
-        mesh.write(path)
+        mesh.write_triangles(path)
         return Fem.read(path)
     finally:
         os.remove(path)

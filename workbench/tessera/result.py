@@ -108,6 +108,10 @@ class Mesh:
         of the plane. Raises tessera.UnwritableError."""
         native.write(self._data, os.fspath(path))
 
+    def write_triangles(self, path):
+        """As write(), without the edges and the groups."""
+        native.write_triangles(self._data, os.fspath(path))
+
     def plot(self, path):
         """Draws the mesh as .svg or .png, by extension."""
         path = os.fspath(path)
