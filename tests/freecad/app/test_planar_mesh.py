@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: MIT
+"""The document object without a window: meshing, properties, errors."""
+
+import math
+import re
+
+import FreeCAD
+import Part
+import pytest
+import sketches
+from FreeCAD import Vector
+
+from tessera.objects import planar_mesh
+from tessera.tools.request import MeshRequest, default_size
+
+
+def mesh_of(source, **options):
+    obj = planar_mesh.make_planar_mesh(source, **options)
+    source.Document.recompute()
+    return obj
+
+
+def recompute(obj):
+    obj.Document.recompute()
+    assert obj.isValid(), obj.getStatusString()
+
+
+def test_the_format_of_files(document):
+    """Class path, property names and types are in users' files: this list may only grow."""
+    obj = planar_mesh.make_planar_mesh(sketches.plate(document))
+    proxy = type(obj.Proxy)
+    assert f"{proxy.__module__}.{proxy.__name__}" == "tessera.objects.planar_mesh.PlanarMesh"
+    assert obj.TypeId == "Fem::FemMeshObjectPython"
+    assert {
+        "Source": "App::PropertyLinkGlobal",
+        "Faces": "App::PropertyLinkSubGlobal",
+        "Constraints": "App::PropertyLinkSubListGlobal",
+        "Size": "App::PropertyLength",
+        "GrowthRate": "App::PropertyFloatConstraint",
+        "ElementOrder": "App::PropertyIntegerConstraint",
+        "Fill": "App::PropertyEnumeration",
+        "Triangles": "App::PropertyInteger",
+        "Area": "App::PropertyArea",
+        "MinAngle": "App::PropertyAngle",
+        "MeanQuality": "App::PropertyFloat",
+        "Regions": "App::PropertyInteger",
+        "Crossings": "App::PropertyInteger",
+        "Messages": "App::PropertyStringList",
+        "MeshRevision": "App::PropertyInteger",
+    } == {name: obj.getTypeIdOfProperty(name) for name, *_ in planar_mesh.PROPERTIES}
+    assert obj.getEnumerationsOfProperty("Fill") == [
+        "Even-odd",
+        "Nonzero",
+        "Positive",
+        "Negative",
+        "All",
+        "Hull",
+    ]
+
+
+def test_plate(document):
+    obj = mesh_of(sketches.plate(document), size=5.0)
+    assert obj.isValid()
+    fem = obj.FemMesh
+    assert fem.FaceCount == obj.Triangles > 300
+    area = sketches.fem_area(fem)
+    assert sketches.PLATE_AREA < area < sketches.PLATE_AREA + sketches.chord_error(15.0, 5.0)
+    assert obj.Area.getValueAs("mm^2").Value == pytest.approx(area, rel=1e-12)
+    assert float(obj.MinAngle) > 30.0
+    assert 0.9 < obj.MeanQuality <= 1.0
+    assert (obj.Regions, obj.Crossings) == (1, 0)
+    assert any("hole" in message for message in obj.Messages)
+
+
+def test_results_are_read_only(document):
+    obj = mesh_of(sketches.plate(document))
+    for name in ("Triangles", "Area", "MinAngle", "MeanQuality", "Regions", "Crossings"):
+        assert "ReadOnly" in obj.getEditorMode(name)
+    assert "Hidden" in obj.getEditorMode("MeshRevision")
+
+
+def test_edge_groups_lie_on_their_curves(document):
+    fem = mesh_of(sketches.plate(document), size=5.0).FemMesh
+    groups = {fem.getGroupName(g): g for g in fem.Groups}
+    circle = fem.getGroupElements(groups["Plate_Geometry4"])
+    assert len(circle) >= 18
+    center = Vector(50, 30, 0)
+    for edge in circle:
+        for node in fem.getElementNodes(edge):
+            assert fem.getNodeById(node).distanceToPoint(center) == pytest.approx(15.0, abs=1e-9)
+    lower = fem.getGroupElements(groups["Plate_Geometry0"])
+    length = sum(
+        fem.getNodeById(a).distanceToPoint(fem.getNodeById(b))
+        for a, b in (fem.getElementNodes(edge) for edge in lower)
+    )
+    assert length == pytest.approx(100.0)
+
+
+def test_follows_its_source(document):
+    sketch = sketches.plate(document)
+    obj = mesh_of(sketch, size=5.0)
+    before = sketches.fem_area(obj.FemMesh)
+    sketch.setDatum(0, FreeCAD.Units.Quantity("10 mm"))
+    recompute(obj)
+    grown = math.pi * (15.0**2 - 10.0**2)
+    difference = sketches.fem_area(obj.FemMesh) - before
+    assert difference == pytest.approx(grown, abs=sketches.chord_error(15.0, 5.0))
+
+
+def test_follows_its_properties(document):
+    obj = mesh_of(sketches.plate(document), size=10.0)
+    coarse = obj.Triangles
+    obj.Size = 5.0
+    recompute(obj)
+    assert 3 * coarse < obj.Triangles < 6 * coarse
+    obj.Size = "1 cm"
+    recompute(obj)
+    assert obj.Triangles == coarse
+
+
+def test_nothing_to_do_leaves_the_mesh(document):
+    obj = mesh_of(sketches.plate(document))
+    revision = obj.MeshRevision
+    document.recompute()
+    assert obj.MeshRevision == revision
+
+
+def test_second_order(document):
+    obj = mesh_of(sketches.plate(document), size=5.0, order=2)
+    fem = obj.FemMesh
+    assert all(len(fem.getElementNodes(face)) == 6 for face in fem.Faces)
+    on_circle = [
+        node for node in fem.Nodes.values() if abs(node.distanceToPoint(Vector(50, 30, 0)) - 15) < 1e-9
+    ]
+    edges = math.ceil(2 * math.pi * 15 / 5)
+    assert len(on_circle) >= 2 * (edges - 1)
+
+
+def test_fill_all_keeps_the_hole(document):
+    obj = mesh_of(sketches.plate(document), fill="All")
+    assert sketches.fem_area(obj.FemMesh) == pytest.approx(6000.0)
+    assert obj.Regions == 2
+
+
+def test_constraint_edges_do_not_bound(document):
+    sketch = sketches.plate(document)
+    obj = planar_mesh.make_planar_mesh(sketch, size=5.0)
+    circle = next(
+        f"Edge{i + 1}" for i, edge in enumerate(sketch.Shape.Edges) if isinstance(edge.Curve, Part.Circle)
+    )
+    obj.Constraints = [(sketch, circle)]
+    recompute(obj)
+    fem = obj.FemMesh
+    assert sketches.fem_area(fem) == pytest.approx(6000.0)
+    groups = {fem.getGroupName(g): g for g in fem.Groups}
+    assert fem.getGroupElements(groups["Plate_Geometry4"])
+
+
+def test_crossing_lines_are_counted(document):
+    sketch = sketches.new_sketch(document)
+    sketches.add_rectangle(sketch, 0, 0, 40, 40)
+    sketches.add_rectangle(sketch, 20, 20, 40, 40)
+    document.recompute()
+    obj = mesh_of(sketch, size=4.0)
+    assert obj.Crossings == 2
+    assert sketches.fem_area(obj.FemMesh) == pytest.approx(2 * 1600 - 2 * 400)
+    obj.Fill = "Nonzero"
+    recompute(obj)
+    assert sketches.fem_area(obj.FemMesh) == pytest.approx(2 * 1600 - 400)
+
+
+def test_face_of_a_solid(document):
+    box = document.addObject("Part::Box", "Box")
+    box.Length, box.Width, box.Height = 30, 20, 10
+    document.recompute()
+    obj = planar_mesh.make_planar_mesh(box, faces=("Face6",))
+    assert default_size(box, ("Face6",)) == pytest.approx(math.hypot(30, 20) / 40, rel=1e-2)
+    recompute(obj)
+    assert all(node.z == pytest.approx(10.0) for node in obj.FemMesh.Nodes.values())
+    assert obj.Area.getValueAs("mm^2").Value == pytest.approx(600.0)
+
+
+def test_planar_shape(document):
+    face = document.addObject("Part::Feature", "Disc")
+    face.Shape = Part.Face(Part.Wire(Part.makeCircle(10.0)))
+    obj = mesh_of(face)
+    assert obj.isValid()
+    assert obj.Area.getValueAs("mm^2").Value == pytest.approx(100 * math.pi, rel=0.01)
+
+
+def test_mesh_lies_where_the_sketch_does(document):
+    """Also inside a body that has been moved."""
+    body = document.addObject("PartDesign::Body", "Body")
+    sketch = sketches.new_sketch(document)
+    body.addObject(sketch)
+    sketches.add_rectangle(sketch, 0, 0, 20, 10)
+    sketch.Placement = FreeCAD.Placement(Vector(1, 2, 3), FreeCAD.Rotation(Vector(1, 0, 0), 90))
+    body.Placement = FreeCAD.Placement(Vector(100, 0, 0), FreeCAD.Rotation(Vector(0, 0, 1), 90))
+    document.recompute()
+    obj = mesh_of(sketch)
+    assert obj.isValid()
+    corner = sketch.getGlobalPlacement().multVec(Vector(20, 10, 0))
+    distances = [node.distanceToPoint(corner) for node in obj.FemMesh.Nodes.values()]
+    assert min(distances) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_size_is_chosen_from_the_source(document):
+    sketch = sketches.plate(document)
+    diagonal = math.hypot(100, 60)
+    assert default_size(sketch) == pytest.approx(diagonal / 40, rel=5e-3)
+    obj = document.addObject(planar_mesh.FEM_TYPE, "ByHand")
+    planar_mesh.PlanarMesh(obj)
+    obj.Source = sketch
+    assert obj.Size.Value == default_size(sketch)
+    recompute(obj)
+
+
+def test_offered_mesh_is_taken_only_for_what_it_was_made(document):
+    sketch = sketches.plate(document)
+    request = MeshRequest(sketch, size=20.0)
+    mesh = request.mesh(request.prepare())
+    obj = planar_mesh.make(request)
+    obj.Proxy.offer(request, mesh)
+    recompute(obj)
+    assert obj.Triangles == len(mesh.triangles)
+    obj.Size = 5.0
+    obj.Proxy.offer(request, mesh)
+    recompute(obj)
+    assert obj.Triangles > 4 * len(mesh.triangles)
+
+
+BAD_SOURCES = {
+    "empty": (sketches.empty, "no geometry"),
+    "only_open": (sketches.only_open, "open|closed"),
+    "zero_area": (sketches.zero_area, "no area"),
+}
+
+
+@pytest.mark.parametrize("name", BAD_SOURCES)
+def test_bad_source_is_explained(document, name):
+    make, words = BAD_SOURCES[name]
+    source = make(document)
+    obj = mesh_of(source, size=1.0)
+    assert not obj.isValid()
+    assert re.search(words, obj.getStatusString()), obj.getStatusString()
+    assert (obj.FemMesh.FaceCount, obj.MeshRevision) == (0, 0)
+
+
+@pytest.mark.parametrize(
+    "size, words",
+    [(0.0, "greater than 0"), (math.nan, "finite"), (1e-6, "memory")],
+)
+def test_bad_size_keeps_the_mesh(document, size, words):
+    obj = mesh_of(sketches.plate(document))
+    kept = (obj.MeshRevision, obj.Triangles, obj.FemMesh.FaceCount)
+    obj.Size = size
+    document.recompute()
+    assert not obj.isValid()
+    assert words in obj.getStatusString()
+    assert (obj.MeshRevision, obj.Triangles, obj.FemMesh.FaceCount) == kept
+    obj.Size = 5.0
+    recompute(obj)
+
+
+def test_source_that_became_bad_keeps_the_mesh(document):
+    sketch = sketches.plate(document)
+    obj = mesh_of(sketch)
+    count = obj.FemMesh.FaceCount
+    for index in (3, 2):
+        sketch.delGeometry(index)
+    sketch.delGeometry(sketch.GeometryCount - 1)
+    document.recompute()
+    assert not obj.isValid()
+    assert obj.FemMesh.FaceCount == count
+
+
+def test_without_a_source(document):
+    obj = document.addObject(planar_mesh.FEM_TYPE, "Alone")
+    planar_mesh.PlanarMesh(obj)
+    document.recompute()
+    assert not obj.isValid()
+    assert "Source" in obj.getStatusString()
