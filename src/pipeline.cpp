@@ -198,7 +198,7 @@ private:
         arrangeOptions.weld = std::max(options_.weld, 0.0);
         arrangeOptions.crossStraight = options_.refine;
         arrangeOptions.recovery = options_.recovery;
-        arrangeOptions.observer = stages_ != nullptr ? stages_->recoveryObserver() : nullptr;
+        arrangeOptions.observer = stages_;
         network_ = arrange(input_, arrangeOptions, arranged_, execution_);
         report.weld = arrangeOptions.weld;
         report.welded = arranged_.welded;
@@ -253,21 +253,13 @@ private:
     {
         execution_.beginStage("recover", 0.2, 0.35);
         const auto ends = constraintEnds(pslg_, delaunay_.vertexOfPoint);
-        RecoveryObserver* observer = nullptr;
-        if (stages_ != nullptr) {
-            stages_->beforeRecovery(delaunay_.triangulation, ends);
-            observer = stages_->recoveryObserver();
-        }
         recovered_ = recoverBoundaries(std::move(delaunay_.triangulation), ends,
-                                       options_.recovery, execution_, observer);
+                                       options_.recovery, execution_, stages_);
         for (std::uint32_t& v : delaunay_.vertexOfPoint) {
             v = recovered_.vertexMap[v];
         }
         result_.report.recovery = joined(arranged_.straight, recovered_.report);
         watch_.lap(result_.report.seconds.recover);
-        if (stages_ != nullptr) {
-            stages_->recovered(recovered_);
-        }
     }
 
     void colorStage()

@@ -73,17 +73,14 @@ struct MeshResult
 };
 
 /// Called after each stage of the paper's Fig. 2 with what a picture needs; see io/stage_pictures.
-struct StageObserver
+/// Boundaries are recovered twice: the straight curves among themselves before sampling, then all
+/// pieces.
+struct StageObserver: RecoveryObserver
 {
-    virtual ~StageObserver() = default;
     virtual void initialRectangle(const InitialRectangle& rectangle) = 0;
     virtual void pointsInserted(const Triangulation&, const InitialRectangle&) = 0;
-    virtual void beforeRecovery(const Triangulation&, std::span<const ConstraintEnds>) = 0;
-    virtual void recovered(const RecoveryResult&) = 0;
     virtual void outsideRemoved(const RecoveryResult&, const RegionMap&) = 0;
     virtual void optimized(const Mesh&) = 0;
-    /// Wanted in addition: each Steiner insertion and deletion (Fig. 1); null if not.
-    virtual RecoveryObserver* recoveryObserver() { return nullptr; }
 };
 
 /// The stages in order: arrange, sample, triangulate, recover, color, refine, optimize, extract

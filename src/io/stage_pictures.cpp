@@ -114,6 +114,15 @@ Box2 zoomWindow(const Mesh& mesh)
     return best;
 }
 
+Box2 boundsOf(const Triangulation& triangulation)
+{
+    Box2 box;
+    for (std::size_t v = 1; v < triangulation.points.size(); ++v) {
+        box.add(triangulation.points[v]);
+    }
+    return box;
+}
+
 } // namespace
 
 StagePictures::StagePictures(std::filesystem::path folder)
@@ -151,10 +160,7 @@ void StagePictures::pointsInserted(const Triangulation& triangulation,
                                    const InitialRectangle& rectangle)
 {
     const std::size_t count = triangulation.vertexCount();
-    domain_ = {};
-    for (std::size_t v = 1; v <= count; ++v) {
-        domain_.add(triangulation.points[v]);
-    }
+    domain_ = boundsOf(triangulation);
     Box2 view;
     for (Vec2 corner : rectangle.corner) {
         view.add(corner);
@@ -193,6 +199,12 @@ void StagePictures::beforeRecovery(const Triangulation& triangulation,
             (there ? present : missing).push_back({ends.a, ends.b});
         }
     }
+    drawsRecovery_ = domain_.empty() || missing.size() >= mostMissing_;
+    if (!drawsRecovery_) {
+        return;
+    }
+    mostMissing_ = missing.size();
+    domain_ = boundsOf(triangulation);
     const DrawnTriangles drawn = allTriangles(triangulation);
     const std::vector<DrawnEdge> sides = sidesOf(drawn);
     save("3-before-recovery", domain_,
@@ -208,8 +220,21 @@ void StagePictures::beforeRecovery(const Triangulation& triangulation,
          });
 }
 
+void StagePictures::steinerInserted(const Triangulation& triangulation, std::uint32_t vertex)
+{
+    steiner_.steinerInserted(triangulation, vertex);
+}
+
+void StagePictures::steinerRemoved(const Triangulation& triangulation, std::uint32_t formerVertex)
+{
+    steiner_.steinerRemoved(triangulation, formerVertex);
+}
+
 void StagePictures::recovered(const RecoveryResult& result)
 {
+    if (!drawsRecovery_) {
+        return;
+    }
     const Triangulation& triangulation = result.triangulation;
     const DrawnTriangles drawn = allTriangles(triangulation);
     const std::vector<DrawnEdge> sides = sidesOf(drawn);

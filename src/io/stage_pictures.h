@@ -15,7 +15,8 @@ namespace tessera
 
 /// Draws each stage of a run, like the paper's Fig. 2, as .svg and .png into a folder:
 /// 1-rectangle, 2-points, 3-before-recovery, 4-recovered, 5-outside-removed, 6-optimized, and
-/// 7-zoom, a part of the last enlarged as in Fig. 5. With the strategy Steiner also
+/// 7-zoom, a part of the last enlarged as in Fig. 5. Pictures 3 and 4 show the recovery that had
+/// more to do: of the straight curves before they are sampled, or of all sampled pieces. With the strategy Steiner also
 /// steiner-before and steiner-after, a Steiner point on a boundary and a mesh edge before and after
 /// it is deleted as in Fig. 1. Functions throw Error(Unwritable).
 class StagePictures: public StageObserver
@@ -29,10 +30,11 @@ public:
                         const InitialRectangle& rectangle) override;
     void beforeRecovery(const Triangulation& triangulation,
                         std::span<const ConstraintEnds> constraints) override;
+    void steinerInserted(const Triangulation& triangulation, std::uint32_t vertex) override;
+    void steinerRemoved(const Triangulation& triangulation, std::uint32_t formerVertex) override;
     void recovered(const RecoveryResult& result) override;
     void outsideRemoved(const RecoveryResult& result, const RegionMap& regions) override;
     void optimized(const Mesh& mesh) override;
-    RecoveryObserver* recoveryObserver() override { return &steiner_; }
 
     /// Seconds spent on drawing so far: no part of the stages' times.
     double seconds() const { return seconds_; }
@@ -44,6 +46,8 @@ private:
     std::filesystem::path folder_;
     InitialRectangle rectangle_ {};
     Box2 domain_; ///< of all points
+    std::size_t mostMissing_ = 0;
+    bool drawsRecovery_ = false; ///< the one under way
     SteinerPictures steiner_;
     double seconds_ = 0.0;
 };

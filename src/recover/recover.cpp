@@ -172,6 +172,9 @@ RecoveryResult recoverBoundaries(Triangulation triangulation,
                                  RecoveryObserver* observer)
 {
     checkEnds(constraints, triangulation.vertexCount());
+    if (observer != nullptr) {
+        observer->beforeRecovery(triangulation, constraints);
+    }
     RecoveryResult result;
     result.triangulation = std::move(triangulation);
     Triangulation& mesh = result.triangulation;
@@ -197,6 +200,9 @@ RecoveryResult recoverBoundaries(Triangulation triangulation,
     result.constraints
         = makeConstraintMap(constraints, result.vertexMap, table, chains, mesh.points.size());
     countIncidences(result);
+    if (observer != nullptr) {
+        observer->recovered(result);
+    }
     return result;
 }
 

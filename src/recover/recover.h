@@ -101,13 +101,15 @@ struct RecoveryResult
     RecoveryReport report;
 };
 
-/// A vertex at a crossing, for stages and pictures: called for the strategy Steiner after each
-/// insertion and deletion of a Steiner point when set (Fig. 1 of the paper).
+/// Watches a recovery, for pictures. Default: looks away.
 struct RecoveryObserver
 {
     virtual ~RecoveryObserver() = default;
-    virtual void steinerInserted(const Triangulation&, std::uint32_t vertex) = 0;
-    virtual void steinerRemoved(const Triangulation&, std::uint32_t formerVertex) = 0;
+    virtual void beforeRecovery(const Triangulation&, std::span<const ConstraintEnds>) {}
+    /// Strategy Steiner only: after each insertion and deletion (the paper's Fig. 1).
+    virtual void steinerInserted(const Triangulation&, std::uint32_t /*vertex*/) {}
+    virtual void steinerRemoved(const Triangulation&, std::uint32_t /*formerVertex*/) {}
+    virtual void recovered(const RecoveryResult&) {}
 };
 
 /// Makes every constraint a connected chain of mesh edges (paper, section 2). Total: any
