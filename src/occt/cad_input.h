@@ -5,6 +5,7 @@
 #include "curve/curve_network.h"
 #include "occt/plane_frame.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -49,25 +50,39 @@ struct CadInput
     double defaultWeld = 0.0; ///< max(20 x greatest vertex tolerance, 1e-7 x diagonal)
 };
 
-/// A refused shape: places()[i] belongs to the edge edges()[i], 0 if to none. Positions are in the
-/// plane of the network where there is one already, else the x and y of space.
+/// What places()[i] of a CadError points at.
+struct CadPlace
+{
+    std::uint32_t edge = 0;               ///< edge number; 0: none
+    std::array<double, 3> point {};       ///< in space
+};
+
+/// A refused shape. Positions of its places are the x and y of space.
 class CadError: public Error
 {
 public:
-    CadError(ErrorKind kind, const std::string& message, std::vector<ErrorPlace> places = {},
-             std::vector<std::uint32_t> edges = {})
-        : Error(kind, message, std::move(places))
-        , edges_(std::move(edges))
+    CadError(ErrorKind kind, const std::string& message, std::vector<CadPlace> where = {})
+        : Error(kind, message, positionsOf(where))
+        , where_(std::move(where))
     {}
 
-    const std::vector<std::uint32_t>& edges() const noexcept { return edges_; }
+    const std::vector<CadPlace>& where() const noexcept { return where_; }
     /// Index of the shape among several.
     std::size_t shape() const noexcept { return shape_; }
     void setShape(std::size_t shape) { shape_ = shape; }
 
 private:
+    static std::vector<ErrorPlace> positionsOf(const std::vector<CadPlace>& where)
+    {
+        std::vector<ErrorPlace> places;
+        for (const CadPlace& place : where) {
+            places.push_back({{place.point[0], place.point[1]}});
+        }
+        return places;
+    }
+
+    std::vector<CadPlace> where_;
     std::size_t shape_ = 0;
-    std::vector<std::uint32_t> edges_;
 };
 
 } // namespace tessera

@@ -37,17 +37,23 @@ std::string number(double value)
 }
 
 /// "Edge3, Edge5, Edge6 and 12 more".
-std::string listOf(const char* kind, const std::vector<std::uint32_t>& numbers)
+template<class NameOf>
+std::string listOf(const std::vector<std::uint32_t>& numbers, NameOf&& nameOf)
 {
     constexpr std::size_t kShown = 3;
     std::string text;
     for (std::size_t i = 0; i < std::min(kShown, numbers.size()); ++i) {
-        text += (i == 0 ? "" : ", ") + (kind + std::to_string(numbers[i]));
+        text += (i == 0 ? "" : ", ") + nameOf(numbers[i]);
     }
     if (numbers.size() > kShown) {
         text += " and " + std::to_string(numbers.size() - kShown) + " more";
     }
     return text;
+}
+
+std::string faceName(std::uint32_t number)
+{
+    return "Face" + std::to_string(number);
 }
 
 bool isFinite(const gp_Pnt& p)
@@ -84,7 +90,9 @@ private:
     PointId endPoint(const TopoDS_Vertex& vertex, const gp_Pnt& curveEnd, std::uint32_t edge);
     void placeEnds(EdgeData& data, const TopoDS_Edge& edge, std::uint32_t edgeNumber);
     std::string edgeName(std::uint32_t edgeNumber) const;
-    CadError refusal(const std::string& message, std::vector<std::uint32_t> edges) const;
+    std::string namesOf(const std::vector<std::uint32_t>& edges) const;
+    /// The edges' names, then the message.
+    CadError refusal(const std::vector<std::uint32_t>& edges, const std::string& message) const;
 
     const TopoDS_Shape& shape_;
     const CadOptions& options_;
@@ -136,17 +144,23 @@ PlaneFrame ShapeReader::plane()
     return input_.frame;
 }
 
-CadError ShapeReader::refusal(const std::string& message, std::vector<std::uint32_t> edges) const
+std::string ShapeReader::namesOf(const std::vector<std::uint32_t>& edges) const
 {
-    std::vector<ErrorPlace> places;
+    return listOf(edges, [this](std::uint32_t edge) { return edgeName(edge); });
+}
+
+CadError ShapeReader::refusal(const std::vector<std::uint32_t>& edges,
+                              const std::string& message) const
+{
+    std::vector<CadPlace> where;
     for (const std::uint32_t edge : edges) {
         const EdgeCurve& curve = data_[edge].whole;
         const gp_Pnt middle = curve.curve.IsNull()
             ? gp_Pnt()
             : curve.curve->Value(0.5 * (curve.first + curve.last));
-        places.push_back({projection_.point(middle)});
+        where.push_back({edge, {middle.X(), middle.Y(), middle.Z()}});
     }
-    return {ErrorKind::InvalidInput, message, std::move(places), std::move(edges)};
+    return {ErrorKind::InvalidInput, namesOf(edges) + message, std::move(where)};
 }
 
 void ShapeReader::collectEdges()
@@ -177,11 +191,10 @@ void ShapeReader::collectEdges()
         }
     }
     if (!without.empty()) {
-        throw refusal(listOf("Edge", without) + ": no curve in the shape; repair the shape.",
-                      without);
+        throw refusal(without, ": no curve in the shape; repair the shape.");
     }
     if (!infinite.empty()) {
-        throw refusal(listOf("Edge", infinite) + ": infinitely long; trim it.", infinite);
+        throw refusal(infinite, ": infinitely long; trim it.");
     }
 }
 
@@ -196,8 +209,8 @@ void ShapeReader::measure()
         for (const gp_Pnt& p : pointsAlong(data_[i].whole)) {
             if (!isFinite(p)) {
                 throw CadError(ErrorKind::InvalidInput,
-                               listOf("Edge", {i}) + " has a coordinate that is not finite; "
-                                   "redraw it.", {{Vec2 {}}}, {i});
+                               edgeName(i) + " has a coordinate that is not finite; redraw it.",
+                               {{i, {}}});
             }
             samples_.push_back(p);
             sampleEdge_.push_back(i);
@@ -236,7 +249,7 @@ void ShapeReader::choosePlane()
         const TopoDS_Face& face = TopoDS::Face(faces_(i));
         if (BRep_Tool::Surface(face).IsNull()) {
             throw CadError(ErrorKind::InvalidInput,
-                           listOf("Face", {static_cast<std::uint32_t>(i)})
+                           faceName(static_cast<std::uint32_t>(i))
                                + " has no surface, only a triangulation; choose a CAD face.");
         }
         if (!planeNormal(face, input_.defaultWeld)) {
@@ -247,7 +260,7 @@ void ShapeReader::choosePlane()
     }
     if (!curved.empty()) {
         throw CadError(ErrorKind::InvalidInput,
-                       listOf("Face", curved) + ": " + kind + ", leaves its plane by up to "
+                       listOf(curved, faceName) + ": " + kind + ", leaves its plane by up to "
                            + number(distance) + "; choose planar faces.");
     }
     TopoDS_Face first;
@@ -281,11 +294,11 @@ void ShapeReader::checkHeights() const
             numbers.push_back(edge);
         }
     }
-    throw refusal((numbers.empty() ? "A vertex" : listOf("Edge", numbers)) + ": up to "
-                      + number(greatest) + " out of the plane"
-                      + (options_.plane ? "" : faces_.Extent() > 0 ? " of Face1" : " of the others")
-                      + "; choose faces and edges that lie in one plane.",
-                  numbers);
+    const std::string message = ": up to " + number(greatest) + " out of the plane"
+        + (options_.plane ? "" : faces_.Extent() > 0 ? " of Face1" : " of the others")
+        + "; choose faces and edges that lie in one plane.";
+    throw numbers.empty() ? CadError(ErrorKind::InvalidInput, "A vertex" + message)
+                          : refusal(numbers, message);
 }
 
 OperandId ShapeReader::addOperand(const std::string& kind, bool only, bool declaresHoles)
@@ -362,8 +375,7 @@ PointId ShapeReader::endPoint(const TopoDS_Vertex& vertex, const gp_Pnt& curveEn
     }
     const double gap = BRep_Tool::Pnt(vertex).Distance(curveEnd);
     if (!(gap <= input_.defaultWeld)) {
-        throw refusal(listOf("Edge", {edge}) + " ends " + number(gap)
-                          + " away from its vertex; repair the shape.", {edge});
+        throw refusal({edge}, " ends " + number(gap) + " away from its vertex; repair the shape.");
     }
     return pointOf(vertex);
 }
@@ -454,7 +466,7 @@ void ShapeReader::applyEdgeRoles()
     for (const auto& [edge, role] : options_.edgeRoles) {
         if (edge == 0 || edge >= data_.size()) {
             throw CadError(ErrorKind::InvalidOption,
-                           "There is no " + listOf("Edge", {edge}) + "; the shape has "
+                           "There is no Edge" + std::to_string(edge) + "; the shape has "
                                + std::to_string(data_.size() - 1) + " edges.");
         }
         roles[edge] = role;

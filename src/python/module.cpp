@@ -58,7 +58,7 @@ void defineInput(py::module_& module)
         .def_readwrite("loose_edges", &Shape::looseEdges);
     py::class_<NetworkInput>(module, "NetworkInput")
         .def(py::init<>())
-        .def("add_shapes", &NetworkInput::addShapes, py::arg("shapes"))
+        .def("add_shapes", &NetworkInput::addShapes, py::arg("shapes"), py::arg("flat"))
         .def("add_segments", &NetworkInput::addSegments, py::arg("points"), py::arg("segments"),
              py::arg("markers"), py::arg("name"), py::arg("roles"))
         .def("add_polygon", &NetworkInput::addPolygon, py::arg("rings"), py::arg("name"),

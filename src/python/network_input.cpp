@@ -85,7 +85,10 @@ PlaceName NetworkInput::nameOf(std::size_t source, std::uint32_t number) const
     std::string element = index < from.elements.size() && !from.elements[index].empty()
         ? from.elements[index]
         : from.kind + std::to_string(number);
-    return {{}, std::move(element), static_cast<std::int64_t>(source)};
+    PlaceName name;
+    name.element = std::move(element);
+    name.source = static_cast<std::int64_t>(source);
+    return name;
 }
 
 void NetworkInput::raise(const Error& error) const
@@ -108,12 +111,15 @@ void NetworkInput::raise(const Error& error) const
     python::raise(error, names, frame_);
 }
 
-void NetworkInput::addShapes(const std::vector<Shape>& shapes)
+void NetworkInput::addShapes(const std::vector<Shape>& shapes, bool flat)
 {
     const Stopwatch stopwatch(seconds_);
     std::vector<BrepText> texts;
     for (const Shape& shape : shapes) {
         CadOptions options;
+        if (flat) {
+            options.plane = PlaneFrame {};
+        }
         options.looseEdges = shape.looseEdges;
         options.name = shape.name;
         options.edgeNames = shape.edgeNames;
@@ -143,8 +149,10 @@ void NetworkInput::addShapes(const std::vector<Shape>& shapes)
             sources_.push_back({before, "Edge", shape.elements});
         }
         std::vector<PlaceName> names;
-        for (const std::uint32_t edge : error.edges()) {
-            names.push_back(edge == 0 ? PlaceName {} : nameOf(firstSource + error.shape(), edge));
+        for (const CadPlace& place : error.where()) {
+            names.push_back(place.edge == 0 ? PlaceName {}
+                                            : nameOf(firstSource + error.shape(), place.edge));
+            names.back().point = place.point;
         }
         python::raise(error, names, frame_);
     }

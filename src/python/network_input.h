@@ -38,8 +38,9 @@ struct Shape
 class NetworkInput
 {
 public:
-    /// All shapes of the run at once, because they share one plane. Raises Python errors.
-    void addShapes(const std::vector<Shape>& shapes);
+    /// All shapes of the run at once, because they share one plane: the global x-y plane if flat,
+    /// else their own. Raises Python errors.
+    void addShapes(const std::vector<Shape>& shapes, bool flat);
     /// points (n, 2), segments (m, 2) of indices from 0, markers (m) or empty; roles by segment from
     /// 0. One operand whose roles follow from how the segments connect. Raises Python errors.
     void addSegments(const Coordinates& points, const Indices& segments, const Indices& markers,

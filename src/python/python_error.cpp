@@ -45,7 +45,7 @@ void raise(const Error& error, const std::vector<PlaceName>& names, const PlaneF
     for (std::size_t i = 0; i < error.places().size(); ++i) {
         const ErrorPlace& place = error.places()[i];
         const PlaceName name = i < names.size() ? names[i] : PlaceName {};
-        const auto point = frame.toSpace(place.position);
+        const auto point = name.point.value_or(frame.toSpace(place.position));
         places.append(errors.attr("Place")(
             py::make_tuple(place.position.x, place.position.y),
             py::make_tuple(point[0], point[1], point[2]), textOrNone(name.curve),

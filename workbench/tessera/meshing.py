@@ -99,7 +99,9 @@ def mesh(
     else:
         prepared = prepare(source, bool(construction), constraint, boundary)
     folder = "" if stages is None else os.fspath(stages)
-    return Mesh(native.mesh(prepared.network, options, run, progress, folder), prepared.base)
+    with prepared.placed_errors():
+        data = native.mesh(prepared.network, options, run, progress, folder)
+    return Mesh(data, prepared.base)
 
 
 def _number(name, value):

@@ -2,6 +2,7 @@
 """Sketches, document objects and shapes of FreeCAD as text for the compiled module. Imported only
 when such a source is given."""
 
+import FreeCAD
 import numpy as np
 import Part
 
@@ -137,7 +138,9 @@ def _from_sketch(sketch, construction):
             shape = geometry.toShape()
         except Exception as error:
             point = _a_point_of(geometry)
-            place = Place(point[:2], point, None, f"Geometry{index}")
+            place = Place(
+                (point.x, point.y), tuple(sketch.Placement.multVec(point)), None, f"Geometry{index}"
+            )
             raise InvalidInputError(
                 f"{sketch.Label}: Geometry{index} has no shape ({error}); redraw or delete it.",
                 [place],
@@ -181,8 +184,8 @@ def _a_point_of(geometry):
     for name in ("StartPoint", "Center", "Location"):
         point = getattr(geometry, name, None)
         if point is not None:
-            return (point.x, point.y, point.z)
-    return (0.0, 0.0, 0.0)
+            return point
+    return FreeCAD.Vector()
 
 
 def _signature(edge):

@@ -6,10 +6,12 @@ arrays: (points, segments), (points, segments, markers), a polygon (n, 2), or a 
 and holes. A list of sources makes one operand of each.
 """
 
+from contextlib import contextmanager
+
 import numpy as np
 
 from tessera import arrays
-from tessera.errors import InvalidInputError, InvalidOptionError
+from tessera.errors import Error, InvalidInputError, InvalidOptionError
 from tessera.native import module as native
 
 
@@ -19,6 +21,18 @@ class Prepared:
     def __init__(self, network, base):
         self.network = network
         self.base = base
+
+    @contextmanager
+    def placed_errors(self):
+        """Errors of the compiled module know points in its own frame only."""
+        try:
+            yield
+        except Error as error:
+            error.places = [
+                place._replace(point=tuple((self.base @ (*place.point, 1.0))[:3].tolist()))
+                for place in error.places
+            ]
+            raise
 
 
 def prepare(source, construction=False, constraint=(), boundary=()):
@@ -145,23 +159,26 @@ def _prepare_cad(items, construction, constraint, boundary):
 
     base = next((s.placement for s in everything if s.placement is not None), None)
     network = native.NetworkInput()
-    network.add_shapes(
-        [
-            source.native(prefix, _to_frame(source, base))
-            for source, prefix in zip(everything, prefixes)
-        ]
-    )
-    return Prepared(network, np.eye(4) if base is None else matrix_of(base))
+    prepared = Prepared(network, np.eye(4) if base is None else matrix_of(base))
+    given = [
+        source.native(prefix, _to_frame(source, base))
+        for source, prefix in zip(everything, prefixes)
+    ]
+    with prepared.placed_errors():
+        network.add_shapes(given, base is not None)
+    return prepared
 
 
 def _to_frame(source, base):
     """The placement that brings the source's shape into the frame of the first sketch, whose own
     shape is in it already; None: leave it."""
-    if base is None or source.placement == base:
+    if base is None:
         return None
-    if source.placement is not None:
-        return base.inverse().multiply(source.placement)
-    return base.inverse()
+    if source.placement is None:
+        return base.inverse()
+    if np.array_equal(matrix_of(source.placement), matrix_of(base)):
+        return None
+    return base.inverse().multiply(source.placement)
 
 
 def _prefixes(sources):

@@ -204,7 +204,9 @@ TEST(ReadCad, SeveralShapesShareOnePlane)
     }
     catch (const CadError& error) {
         EXPECT_EQ(error.shape(), 1U);
-        EXPECT_EQ(error.edges(), std::vector<std::uint32_t> {1});
+        ASSERT_EQ(error.where().size(), 1U);
+        EXPECT_EQ(error.where()[0].edge, 1U);
+        EXPECT_EQ(error.where()[0].point, (std::array<double, 3> {2.5, 3.0, 4.0}));
     }
 }
 

@@ -197,7 +197,7 @@ TEST(ShapeNetwork, GivenPlaneIsUsed)
     catch (const CadError& error) {
         EXPECT_EQ(error.kind(), ErrorKind::InvalidInput);
         EXPECT_NE(std::string(error.what()).find("0.25"), std::string::npos) << error.what();
-        EXPECT_EQ(error.edges().size(), 5U);
+        EXPECT_EQ(error.where().size(), 5U);
     }
 }
 
@@ -448,7 +448,7 @@ TEST(ShapeNetwork, FacesOfSeveralPlanesAreRefusedWithEdgesAndDistance)
         FAIL() << "a box was accepted";
     }
     catch (const CadError& error) {
-        EXPECT_EQ(error.edges().size(), 8U);
+        EXPECT_EQ(error.where().size(), 8U);
         EXPECT_EQ(error.places().size(), 8U);
         EXPECT_NE(std::string(error.what()).find("up to 1 out of the plane of Face1"),
                   std::string::npos) << error.what();
