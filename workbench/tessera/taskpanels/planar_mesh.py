@@ -64,20 +64,20 @@ class PlanarMeshPanel:
     def _fill_form(self):
         form = self.form
         form.setWindowIcon(QtGui.QIcon(resources.icon("tessera_mesh_sketch")))
-        form.source.setText(self._source_text())
+        form.sourceName.setText(self._source_text())
         for key, label, explanation in _fill_texts():
-            form.fill.addItem(label, key)
-            form.fill.setItemData(form.fill.count() - 1, explanation, QtCore.Qt.ToolTipRole)
+            form.fillField.addItem(label, key)
+            form.fillField.setItemData(form.fillField.count() - 1, explanation, QtCore.Qt.ToolTipRole)
         if self._edited is None:
             sizes = [default_size(target.source, target.faces) for target in self._targets]
             request = MeshRequest(None, size=min((s for s in sizes if s > 0.0), default=0.0))
         else:
             request = planar_mesh.request_of(self._edited)
             self._meshed = [request]
-        form.size.setProperty("value", FreeCAD.Units.Quantity(request.size, FreeCAD.Units.Length))
-        form.growth.setValue(request.growth)
-        form.order.setCurrentIndex(request.order - 1)
-        form.fill.setCurrentIndex(form.fill.findData(request.fill))
+        form.sizeField.setProperty("value", FreeCAD.Units.Quantity(request.size, FreeCAD.Units.Length))
+        form.growthField.setValue(request.growth)
+        form.orderField.setCurrentIndex(request.order - 1)
+        form.fillField.setCurrentIndex(form.fillField.findData(request.fill))
         self._constraints = [
             (owner, name) for owner, names in request.constraints for name in names
         ]
@@ -90,10 +90,10 @@ class PlanarMeshPanel:
 
     def _connect(self):
         form = self.form
-        form.mesh.clicked.connect(self.start)
-        form.stop.clicked.connect(self.stop)
-        form.addConstraints.clicked.connect(self._add_constraints)
-        form.removeConstraints.clicked.connect(self._remove_constraints)
+        form.meshButton.clicked.connect(self.start)
+        form.stopButton.clicked.connect(self.stop)
+        form.addButton.clicked.connect(self._add_constraints)
+        form.removeButton.clicked.connect(self._remove_constraints)
 
     def _source_text(self):
         names = []
@@ -111,16 +111,16 @@ class PlanarMeshPanel:
         self._list_constraints()
 
     def _remove_constraints(self):
-        rows = {index.row() for index in self.form.constraints.selectedIndexes()}
+        rows = {index.row() for index in self.form.constraintList.selectedIndexes()}
         self._constraints = [c for row, c in enumerate(self._constraints) if row not in rows]
         self._list_constraints()
 
     def _list_constraints(self):
-        self.form.constraints.clear()
+        self.form.constraintList.clear()
         for owner, name in self._constraints:
-            self.form.constraints.addItem(f"{owner.Label}: {name}")
-        self.form.constraints.setVisible(bool(self._constraints))
-        self.form.removeConstraints.setEnabled(bool(self._constraints))
+            self.form.constraintList.addItem(f"{owner.Label}: {name}")
+        self.form.constraintList.setVisible(bool(self._constraints))
+        self.form.removeButton.setEnabled(bool(self._constraints))
 
     def requests(self):
         """What the form asks for, one request for each target."""
@@ -135,10 +135,10 @@ class PlanarMeshPanel:
         return MeshRequest(
             source=target.source,
             faces=tuple(target.faces),
-            size=float(self.form.size.property("rawValue")),
-            growth=self.form.growth.value(),
-            order=self.form.order.currentIndex() + 1,
-            fill=self.form.fill.itemData(self.form.fill.currentIndex()),
+            size=float(self.form.sizeField.property("rawValue")),
+            growth=self.form.growthField.value(),
+            order=self.form.orderField.currentIndex() + 1,
+            fill=self.form.fillField.itemData(self.form.fillField.currentIndex()),
             constraints=tuple((owner, tuple(names)) for owner, names in constraints.items()),
         )
 
@@ -163,8 +163,8 @@ class PlanarMeshPanel:
             self._job.cancel()
 
     def _on_progress(self, fraction, stage):
-        self.form.progress.setValue(int(1000 * fraction))
-        self.form.progress.setFormat(f"{_stage_text(stage)} %p%")
+        self.form.progressBar.setValue(int(1000 * fraction))
+        self.form.progressBar.setFormat(f"{_stage_text(stage)} %p%")
 
     def _on_failed(self, number, error):
         self._end_job()
@@ -297,11 +297,11 @@ class PlanarMeshPanel:
 
     def _show_running(self, running):
         form = self.form
-        form.mesh.setVisible(not running)
-        form.progress.setVisible(running)
-        form.progress.setValue(0)
-        form.stop.setVisible(running)
-        for widget in (form.size, form.growth, form.order, form.fill, form.constraintsBox):
+        form.meshButton.setVisible(not running)
+        form.progressBar.setVisible(running)
+        form.progressBar.setValue(0)
+        form.stopButton.setVisible(running)
+        for widget in (form.sizeField, form.growthField, form.orderField, form.fillField, form.constraintsBox):
             widget.setEnabled(not running)
 
     def _show_message(self, text, kind=None):

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""Hands and eyes of the tests in FreeCAD's window."""
+
+import time
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+COMMAND = "Tessera_MeshSketch"
+
+
+def wait(seconds):
+    """Lets the window live for a while."""
+    wait_until(lambda: False, seconds, fail=False)
+
+
+def wait_until(condition, seconds=60.0, fail=True):
+    """Lets the window live until the condition holds."""
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            assert not fail, "it did not happen in time"
+            return
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+        time.sleep(0.005)
+
+
+def picture(path):
+    """A picture of the whole screen, 3D view included."""
+    wait(0.5)
+    assert QtGui.QApplication.primaryScreen().grabWindow(0).save(str(path))
+
+
+def main_window():
+    return FreeCADGui.getMainWindow()
+
+
+def select(*items):
+    """Objects, or (object, "Edge1", ...)."""
+    FreeCADGui.Selection.clearSelection()
+    for item in items:
+        obj, *names = item if isinstance(item, tuple) else (item,)
+        for name in names or [""]:
+            FreeCADGui.Selection.addSelection(obj.Document.Name, obj.Name, name)
+    wait(0.1)
+
+
+def selected():
+    """{(object's name, sub-element names)}."""
+    return {
+        (item.ObjectName, tuple(item.SubElementNames))
+        for item in FreeCADGui.Selection.getSelectionEx()
+    }
+
+
+def toolbar_action():
+    """The button "Mesh sketch" in the workbench's toolbar."""
+    toolbar = main_window().findChild(QtGui.QToolBar, "Tessera")
+    (action,) = [a for a in toolbar.actions() if a.text().replace("&", "") == "Mesh sketch"]
+    return action
+
+
+def show_from_above():
+    view = FreeCADGui.activeDocument().activeView()
+    view.viewTop()
+    view.fitAll()
+
+
+class Panel:
+    """The open task panel, as a user sees it."""
+
+    def __init__(self):
+        form = self.find()
+        assert form is not None, "the task panel is not open"
+        self.form = form
+
+    @staticmethod
+    def find():
+        return main_window().findChild(QtGui.QWidget, "TesseraPlanarMesh")
+
+    def widget(self, name):
+        return self.form.findChild(QtGui.QWidget, name)
+
+    @property
+    def message(self):
+        label = self.widget("message")
+        return label.text() if label.isVisible() else ""
+
+    @property
+    def running(self):
+        return self.widget("progressBar").isVisible()
+
+    def set_size(self, text):
+        """Types into the field Size."""
+        field = self.widget("sizeField").findChild(QtGui.QLineEdit)
+        field.setText(text)
+        wait(0.1)
+
+    def choose(self, name, text):
+        combo = self.widget(name)
+        index = combo.findText(text)
+        assert index >= 0, f"there is no {text}"
+        combo.setCurrentIndex(index)
+
+    def press_mesh(self):
+        self.widget("meshButton").click()
+
+    def mesh(self):
+        """Presses Mesh and waits for the end."""
+        self.press_mesh()
+        wait_until(lambda: not self.running)
+        wait(0.1)
+
+    def press(self, button):
+        """Presses OK or Cancel at the top of the task view."""
+        for box in main_window().findChildren(QtGui.QDialogButtonBox):
+            found = box.button(getattr(QtGui.QDialogButtonBox, button))
+            if found is not None and found.isVisible():
+                found.click()
+                wait(0.3)
+                return
+        raise AssertionError(f"there is no {button}")
+
+
+def open_panel(*items):
+    """Selects, then presses the toolbar's button."""
+    select(*items)
+    FreeCADGui.updateGui()
+    wait_until(toolbar_action().isEnabled, 10)
+    toolbar_action().trigger()
+    wait_until(lambda: Panel.find() is not None, 10)
+    return Panel()
+
+
+def close_panel():
+    if FreeCADGui.Control.activeDialog():
+        FreeCADGui.Control.closeDialog()
+    wait(0.1)
+
+
+def planar_meshes(document):
+    from tessera.objects.planar_mesh import is_planar_mesh
+
+    return [obj for obj in document.Objects if is_planar_mesh(obj)]
+
+
+def undo(document, count=1):
+    for _ in range(count):
+        document.undo()
+    wait(0.1)
+
+
+def redo(document, count=1):
+    for _ in range(count):
+        document.redo()
+    wait(0.1)
+
+
+def reopen(document, path):
+    """Saves, closes and opens again."""
+    document.saveAs(str(path))
+    FreeCAD.closeDocument(document.Name)
+    wait(0.1)
+    opened = FreeCAD.openDocument(str(path))
+    wait(0.3)
+    return opened
