@@ -9,6 +9,9 @@ import Part
 from tessera.errors import InvalidInputError, Place
 from tessera.native import module as native
 
+# Before 1.0, FreeCAD marks every new point of a sketch as construction geometry.
+_POINTS_CAN_BE_CONSTRUCTION = int(FreeCAD.Version()[0]) >= 1
+
 
 def is_sketch(item):
     return hasattr(item, "getConstruction") and hasattr(item, "Geometry")
@@ -177,7 +180,8 @@ def sketch_geometry(sketch):
     for index, geometry in enumerate(sketch.Geometry):
         internal = facades[index].InternalType if index < len(facades) else "None"
         if internal == "None":
-            yield index, geometry, bool(sketch.getConstruction(index))
+            marked = _POINTS_CAN_BE_CONSTRUCTION or not isinstance(geometry, Part.Point)
+            yield index, geometry, marked and bool(sketch.getConstruction(index))
 
 
 def _a_point_of(geometry):

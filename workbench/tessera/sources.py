@@ -28,10 +28,11 @@ class Prepared:
         try:
             yield
         except Error as error:
-            error.places = [
-                place._replace(point=tuple((self.base @ (*place.point, 1.0))[:3].tolist()))
-                for place in error.places
-            ]
+            with np.errstate(invalid="ignore"):  # the place of a point that is not finite
+                error.places = [
+                    place._replace(point=tuple((self.base @ (*place.point, 1.0))[:3].tolist()))
+                    for place in error.places
+                ]
             raise
 
 

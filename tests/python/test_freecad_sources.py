@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: MIT
+"""tessera.mesh() of sketches and shapes of FreeCAD, in plain Python."""
+
+import numpy as np
+import pytest
+from measures import assert_conforming, length_of, triangle_areas
+
+FreeCAD = pytest.importorskip("FreeCAD", reason="FreeCAD's Python modules are not installed")
+import Part  # noqa: E402
+from FreeCAD import Vector  # noqa: E402
+
+import tessera  # noqa: E402
+from tessera import shapes  # noqa: E402
+
+
+def rectangle(width, height, x=0.0, y=0.0):
+    corners = [
+        Vector(x, y), Vector(x + width, y), Vector(x + width, y + height), Vector(x, y + height)
+    ]
+    return [Part.LineSegment(corners[i], corners[(i + 1) % 4]) for i in range(4)]
+
+
+def sketch(document, geometry, construction=(), label="Sketch"):
+    new = document.addObject("Sketcher::SketchObject", label)
+    for item in geometry:
+        new.addGeometry(item, False)
+    for item in construction:
+        new.addGeometry(item, True)
+    document.recompute()
+    return new
+
+
+def plate(document):
+    """20 x 10 with a round hole of radius 2 and a spline inside."""
+    spline = Part.BSplineCurve()
+    spline.interpolate([Vector(2, 2), Vector(3, 5), Vector(2, 8)])
+    return sketch(
+        document,
+        rectangle(20, 10) + [Part.Circle(Vector(12, 5), Vector(0, 0, 1), 2.0), spline],
+        [Part.LineSegment(Vector(5, 1), Vector(6, 9))],
+    )
+
+
+def test_sketch(document):
+    mesh = tessera.mesh(plate(document), size=1.0)
+    assert_conforming(mesh)
+    names = {f"Sketch_Geometry{i}" for i in range(6)} | {"Region1", "Outline"}
+    assert set(mesh.groups) == names
+    # The hole is a polygon inside the circle: at most a chord error smaller.
+    circle = mesh.edges[mesh.groups["Sketch_Geometry4"].members]
+    pieces = len(circle)
+    hole = 0.5 * pieces * 4 * np.sin(2 * np.pi / pieces)
+    assert mesh.report["area"] == pytest.approx(200 - hole, rel=1e-9)
+    on_circle = mesh.nodes[circle.ravel()] - (12, 5)
+    assert np.abs(np.hypot(*on_circle.T) - 2.0).max() < 1e-14
+    spline = mesh.edges[mesh.groups["Sketch_Geometry5"].members]
+    curve = document.Sketch.Geometry[5]
+    for x, y in mesh.nodes[spline.ravel()]:
+        nearest = curve.value(curve.parameter(Vector(x, y, 0)))
+        assert nearest.distanceToPoint(Vector(x, y, 0)) < 1e-9
+    assert length_of(mesh, spline) == pytest.approx(curve.length(), rel=0.01)
+
+
+def test_second_order_nodes_lie_on_the_curves(document):
+    mesh = tessera.mesh(plate(document), size=1.0, order=2)
+    assert_conforming(mesh)
+    members = mesh.groups["Sketch_Geometry4"].members
+    middle = mesh.nodes[mesh.edge_mid_nodes[members]] - (12, 5)
+    assert np.abs(np.hypot(*middle.T) - 2.0).max() < 1e-14
+    # The triangles beside the circle share those nodes.
+    assert np.isin(mesh.edge_mid_nodes[members], mesh.triangle_mid_nodes).all()
+
+
+def test_construction_geometry_joins_on_request(document):
+    mesh = tessera.mesh(plate(document), size=1.0, construction=True)
+    line = mesh.edges[mesh.groups["Sketch_Geometry6"].members]
+    assert length_of(mesh, line) == pytest.approx(np.hypot(1, 8))
+    assert mesh.report["regions"] == 1
+
+
+def test_poles_of_a_spline_are_no_construction_geometry(document):
+    source = sketch(document, rectangle(20, 10))
+    poles = [Vector(2, 2), Vector(6, 9), Vector(12, 1), Vector(16, 8)]
+    index = source.addGeometry(Part.BSplineCurve(poles, None, None, False, 3, None, False))
+    source.exposeInternalGeometry(index)
+    document.recompute()
+    assert len(source.Geometry) > 5
+    mesh = tessera.mesh(source, size=1.0, construction=True)
+    assert {name for name in mesh.groups if "Geometry" in name} == {
+        f"Sketch_Geometry{i}" for i in range(5)
+    }
+
+
+def test_points_become_nodes_with_a_group(document):
+    source = sketch(document, rectangle(20, 10) + [Part.Point(Vector(7, 3))])
+    mesh = tessera.mesh(source, size=1.0)
+    group = mesh.groups["Sketch_Geometry4"]
+    assert group.kind == "nodes" and len(group.members) == 1
+    assert mesh.nodes[group.members[0]].tolist() == [7.0, 3.0]
+
+
+def test_placed_sketch_is_meshed_in_its_own_frame(document):
+    source = plate(document)
+    flat = tessera.mesh(source, size=1.0)
+    source.Placement = FreeCAD.Placement(
+        Vector(100, -30, 7), FreeCAD.Rotation(Vector(1, 2, 3), 40)
+    )
+    document.recompute()
+    mesh = tessera.mesh(source, size=1.0)
+    assert np.array_equal(mesh.nodes, flat.nodes)
+    corner = source.Placement.multVec(Vector(*mesh.nodes[5], 0))
+    assert np.abs(mesh.points()[5] - tuple(corner)).max() < 1e-13
+
+
+def test_roles_by_number_name_and_link(document):
+    source = sketch(document, rectangle(20, 10) + rectangle(4, 4, 3, 3))
+    assert tessera.mesh(source, size=2).report["area"] == pytest.approx(184)
+    for inner in (
+        [4, 5, 6, 7],
+        [f"Geometry{i}" for i in range(4, 8)],
+        [f"Sketch_Geometry{i}" for i in range(4, 8)],
+        [(source, tuple(shapes.edge_of_geometry(source, i) for i in range(4, 8)))],
+    ):
+        mesh = tessera.mesh(source, size=2, constraint=inner)
+        assert mesh.report["area"] == pytest.approx(200)
+        assert length_of(mesh, mesh.edges[mesh.groups["Sketch_Geometry4"].members]) == 4.0
+
+
+def test_edges_of_the_shape_and_geometry_find_each_other(document):
+    source = plate(document)
+    source.Placement = FreeCAD.Placement(Vector(1, 2, 3), FreeCAD.Rotation(Vector(0, 1, 0), 30))
+    document.recompute()
+    edges = [shapes.edge_of_geometry(source, i) for i in range(7)]
+    assert edges[6] is None
+    assert sorted(edges[:6]) == [f"Edge{i}" for i in range(1, 7)]
+    for i, edge in enumerate(edges[:6]):
+        assert shapes.geometry_of_edge(source, edge) == i
+    assert shapes.geometry_of_edge(source, "Edge9") is None
+
+
+def test_further_shapes_as_constraints(document):
+    source = sketch(document, rectangle(20, 10))
+    line = Part.makeLine(Vector(-5, 5, 0), Vector(15, 5, 0))
+    mesh = tessera.mesh(source, size=1.0, constraint=line)
+    kept = mesh.edges[mesh.groups["Shape2_Edge1"].members]
+    assert length_of(mesh, kept) == pytest.approx(15.0)
+    assert mesh.report["area"] == pytest.approx(200.0)
+    ring = document.addObject("Part::Feature", "Ring")
+    ring.Shape = Part.makeCircle(2, Vector(10, 5, 0))
+    mesh = tessera.mesh(source, size=1.0, constraint=[ring, line])
+    assert mesh.groups["Ring_Edge1"].kind == "edges"
+    assert mesh.report["regions"] == 1
+
+
+def test_face_with_hole_in_space(document):
+    corners = [(0, 0, 0), (6, 0, 6), (6, 8, 6), (0, 8, 0), (0, 0, 0)]
+    outer = Part.Wire(Part.makePolygon([Vector(*corner) for corner in corners]))
+    hole = Part.Wire(Part.makeCircle(1.5, Vector(3, 4, 3), Vector(-1, 0, 1)))
+    face = Part.Face([outer, hole])
+    mesh = tessera.mesh(face, size=0.5, order=2)
+    assert_conforming(mesh)
+    assert mesh.report["messages"] == []
+    points = mesh.points()
+    assert np.abs(points[:, 0] - points[:, 2]).max() < 1e-13
+    assert mesh.report["area"] == pytest.approx(48 * np.sqrt(2) - 2.25 * np.pi, rel=0.005)
+    assert {"Edge1", "Edge5"} <= set(mesh.groups)
+
+
+def test_face_of_a_solid_keeps_the_numbers_of_its_edges(document):
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    mesh = tessera.mesh((box, ["Face6"]), size=2.0)
+    expected = {
+        f"Box_Edge{i + 1}"
+        for i, edge in enumerate(box.Shape.Edges)
+        if any(edge.isSame(other) for other in box.Shape.Faces[5].Edges)
+    }
+    assert {name for name in mesh.groups if "Edge" in name} == expected
+    assert np.abs(mesh.points()[:, 2] - 10).max() < 1e-13
+    assert mesh.report["area"] == pytest.approx(100.0)
+
+
+def test_list_of_shapes(document):
+    disk = Part.Face(Part.Wire(Part.makeCircle(3, Vector(10, 5, 0))))
+    mesh = tessera.mesh([plate(document), disk], size=1.0)
+    assert_conforming(mesh)
+    assert mesh.operands == ["Sketch", "Shape2"]
+    assert mesh.report["area"] == pytest.approx(200.0, rel=0.02)
+    assert triangle_areas(mesh)[mesh.groups["Shape2"].members].sum() == pytest.approx(
+        9 * np.pi, rel=0.02
+    )
+
+
+def test_sketches_in_one_plane_with_different_placements(document):
+    first = sketch(document, rectangle(10, 10), label="First")
+    second = sketch(document, rectangle(10, 10), label="Second")
+    for source, shift in ((first, 0), (second, 5)):
+        source.Placement = FreeCAD.Placement(
+            Vector(shift, 0, 0), FreeCAD.Rotation(Vector(1, 0, 0), 90)
+        )
+    document.recompute()
+    mesh = tessera.mesh([first, second], size=1.0)
+    assert mesh.report["area"] == pytest.approx(150.0)
+    assert np.abs(mesh.points()[:, 1]).max() < 1e-12
+
+
+def test_empty_sketch(document):
+    with pytest.raises(tessera.InvalidInputError, match="Sketch has no geometry"):
+        tessera.mesh(sketch(document, []))
+
+
+def test_open_sketch_names_the_geometry(document):
+    source = sketch(document, rectangle(20, 10)[:3])
+    source.Placement = FreeCAD.Placement(Vector(0, 0, 50), FreeCAD.Rotation())
+    with pytest.raises(tessera.NoInsideError, match="not closed") as caught:
+        tessera.mesh(source, size=1.0)
+    places = {place.element: place for place in caught.value.places}
+    assert set(places) == {"Geometry0", "Geometry2"}
+    assert places["Geometry0"].curve == "Sketch_Geometry0"
+    assert places["Geometry0"].point == (0.0, 0.0, 50.0)
+
+
+def test_gap_below_and_above_the_weld_tolerance(document):
+    sides = rectangle(20, 10)
+    sides[3] = Part.LineSegment(Vector(0, 10), Vector(0, 0.1))
+    source = sketch(document, sides)
+    with pytest.raises(tessera.NoInsideError, match="0.1"):
+        tessera.mesh(source, size=1.0)
+    mesh = tessera.mesh(source, size=1.0, weld=0.2)
+    assert_conforming(mesh)
+    assert mesh.report["welded"] == 1 and mesh.report["messages"]
+    sides[3] = Part.LineSegment(Vector(0, 10), Vector(0, 1e-7))
+    closed = tessera.mesh(sketch(document, sides, label="Closed"), size=1.0)
+    assert closed.report["weld"] >= 1e-6 and closed.report["area"] == pytest.approx(200.0)
+
+
+def test_overlapping_lines_enclose_nothing(document):
+    line = Part.LineSegment(Vector(0, 0), Vector(5, 0))
+    back = Part.LineSegment(Vector(5, 0), Vector(0, 0))
+    with pytest.raises(tessera.NoInsideError, match="no area"):
+        tessera.mesh(sketch(document, [line, back]))
+
+
+def test_shapes_that_are_not_planar():
+    for shape, word in (
+        (Part.makeBox(1, 2, 3), "out of the plane"),
+        (Part.makeSphere(3), "spherical"),
+        (Part.makeCylinder(2, 5).Faces[0], "cylindrical"),
+    ):
+        with pytest.raises(tessera.InvalidInputError, match=word):
+            tessera.mesh(shape)
+
+
+def test_sketches_of_different_planes_are_refused_by_name(document):
+    first = sketch(document, rectangle(10, 10), label="First")
+    second = sketch(document, rectangle(10, 10), label="Second")
+    second.Placement = FreeCAD.Placement(Vector(0, 0, 2.5), FreeCAD.Rotation())
+    with pytest.raises(tessera.InvalidInputError, match="Second_Geometry0.*2.5") as caught:
+        tessera.mesh([first, second])
+    place = caught.value.places[0]
+    assert (place.source, place.element) == (1, "Geometry0")
+    assert place.point[2] == pytest.approx(2.5)
+
+
+def test_null_shape_lost_face_and_mixed_sources(document):
+    with pytest.raises(tessera.InvalidInputError, match="empty"):
+        tessera.mesh(Part.Shape())
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    with pytest.raises(tessera.InvalidInputError, match="Face77"):
+        tessera.mesh((box, ["Face77"]))
+    with pytest.raises(tessera.InvalidInputError, match="together"):
+        tessera.mesh([Part.makeCircle(2), [(0, 0), (1, 0), (0, 1)]])
+
+
+def test_unknown_curves_are_refused(document):
+    source = sketch(document, rectangle(10, 10))
+    for options in ({"constraint": ["Geometry9"]}, {"boundary": [9]}, {"constraint": "Edge77"}):
+        with pytest.raises(tessera.InvalidOptionError, match="Geometry0"):
+            tessera.mesh(source, **options)
+
+
+def test_every_sketch_of_the_corpora_has_freecads_area(corpora):
+    """Within what chords cut off; second order follows the curves closer."""
+    count = 0
+    for path in sorted((corpora / "cad" / "native").glob("*.[fF][cC][sS][tT][dD]")):
+        document = FreeCAD.openDocument(str(path))
+        for source in document.Objects:
+            if not shapes.is_sketch(source):
+                continue
+            try:
+                area = Part.makeFace(source.Shape, "Part::FaceMakerBullseye").Area
+            except Part.OCCError:
+                continue
+            mesh = tessera.mesh(source, size=source.Shape.BoundBox.DiagonalLength / 150)
+            curved = [e for e in source.Shape.Edges if not isinstance(e.Curve, Part.Line)]
+            size = mesh.report["default_size"]
+            bend = sum(edge.Length for edge in curved) * size / 8
+            assert abs(mesh.report["area"] - area) <= bend + 1e-9 * area, source.Label
+            assert_conforming(mesh)
+            count += 1
+        FreeCAD.closeDocument(document.Name)
+    assert count >= 30
