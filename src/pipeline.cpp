@@ -294,13 +294,13 @@ private:
         }
         execution_.beginStage("refine", 0.4, 0.75);
         refuseTooLarge(estimateTriangles(working_, size));
-        RefineOptions refineOptions;
-        refineOptions.minAngle = options_.minAngle;
-        refineOptions.maxArea = options_.maxArea;
+        refineOptions_.minAngle = options_.minAngle;
+        refineOptions_.maxArea = options_.maxArea;
+        refineOptions_.optimizeFollows = options_.optimize;
         for (const Region& region : regions_.regions) {
-            refineOptions.regionMaxArea.push_back(region.maxArea);
+            refineOptions_.regionMaxArea.push_back(region.maxArea);
         }
-        RefineReport refined = refine(working_, size, refineOptions, execution_);
+        RefineReport refined = refine(working_, size, refineOptions_, execution_);
         result_.report.unreached = std::move(refined.unreached);
         watch_.lap(result_.report.seconds.refine);
     }
@@ -324,7 +324,8 @@ private:
             return;
         }
         execution_.beginStage("optimize", 0.75, 0.95);
-        optimize(working_, size, options_.minAngle, execution_);
+        OptimizeReport optimized = optimize(working_, size, refineOptions_, execution_);
+        result_.report.unreached = std::move(optimized.unreached);
         watch_.lap(result_.report.seconds.optimize);
     }
 
@@ -382,6 +383,7 @@ private:
     RegionMap regions_;
     std::vector<VertexOrigin> origin_;
     WorkingMesh working_;
+    RefineOptions refineOptions_;
     MeshResult result_;
 };
 

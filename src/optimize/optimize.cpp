@@ -18,6 +18,8 @@
 #include "delaunay/delaunay.h"
 #include "optimize/edits.h"
 #include "optimize/star.h"
+#include "refine/delaunay_refinement.h"
+#include "refine/mesh_editor.h"
 
 #include <cmath>
 #include <numbers>
@@ -28,6 +30,7 @@ namespace tessera
 namespace
 {
 
+constexpr int kAttempts = 4;
 constexpr int kRounds = 6;
 constexpr double kScanAngle = 42.0;   ///< degrees: triangles below are worked on
 constexpr double kSmoothAngle = 55.0; ///< stars below are smoothed when near such triangles
@@ -42,16 +45,18 @@ double squaredSine(double degrees)
 class Optimizer
 {
 public:
-    Optimizer(WorkingMesh& mesh, const SizeField& size, Execution& execution)
+    Optimizer(WorkingMesh& mesh, const SizeField& size, OptimizeReport& report,
+              Execution& execution)
         : mesh_(mesh)
         , t_(mesh.triangulation)
         , size_(size)
+        , report_(report)
         , execution_(execution)
         , scan_(squaredSine(kScanAngle))
         , smooth_(squaredSine(kSmoothAngle))
     {}
 
-    OptimizeReport run()
+    void run()
     {
         mark_.assign(t_.points.size(), 0);
         for (int round = 0; round < kRounds; ++round) {
@@ -73,7 +78,6 @@ public:
                 break;
             }
         }
-        return report_;
     }
 
 private:
@@ -262,10 +266,10 @@ private:
     WorkingMesh& mesh_;
     Triangulation& t_;
     const SizeField& size_;
+    OptimizeReport& report_;
     Execution& execution_;
     double scan_;
     double smooth_;
-    OptimizeReport report_;
     Star star_;
     std::vector<std::uint8_t> mark_;
     std::vector<std::uint32_t> list_;
@@ -274,11 +278,31 @@ private:
 
 } // namespace
 
+OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
+                        Execution& execution)
+{
+    OptimizeReport report;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        Optimizer(mesh, size, report, execution).run();
+        MeshEditor editor(mesh);
+        RefineReport refined;
+        refineDelaunay(editor, size, options, refined, execution);
+        report.interiorPoints += refined.interiorPoints;
+        report.segmentSplits += refined.segmentSplits;
+        if (refined.interiorPoints + refined.segmentSplits == 0) {
+            break;
+        }
+    }
+    report.unreached = findUnreached(mesh, options);
+    return report;
+}
+
 OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, double minAngle,
                         Execution& execution)
 {
-    (void)minAngle;
-    return Optimizer(mesh, size, execution).run();
+    RefineOptions options;
+    options.minAngle = minAngle;
+    return optimize(mesh, size, options, execution);
 }
 
 } // namespace tessera

@@ -31,14 +31,30 @@ MeshEditor::MeshEditor(WorkingMesh& mesh)
 {
     mesh_.regionOfTriangle.resize(mesh_.triangulation.triangles.size(), WorkingMesh::kOutside);
     recordOf_.reserve(2 * mesh_.edges.size());
-    rootOfRecord_.reserve(mesh_.edges.size());
-    rootEnds_.reserve(mesh_.edges.size());
     for (std::size_t i = 0; i < mesh_.edges.size(); ++i) {
         const ConstrainedEdge& edge = mesh_.edges[i];
         recordOf_[keyOf(edge.a, edge.b)] = static_cast<std::uint32_t>(i);
-        rootOfRecord_.push_back(static_cast<std::uint32_t>(i));
-        rootEnds_.push_back({edge.a, edge.b});
+        if (edge.useSet >= rootEnds_.size()) {
+            rootEnds_.resize(edge.useSet + 1);
+        }
+        if (mesh_.origin[edge.a] == VertexOrigin::SegmentSplit) {
+            setRoot(edge.a, edge.useSet);
+        }
+        else {
+            rootEnds_[edge.useSet].a = edge.a;
+        }
+        if (mesh_.origin[edge.b] != VertexOrigin::SegmentSplit) {
+            rootEnds_[edge.useSet].b = edge.b;
+        }
     }
+}
+
+void MeshEditor::setRoot(std::uint32_t vertex, std::uint32_t root)
+{
+    if (vertex >= rootOfVertex_.size()) {
+        rootOfVertex_.resize(vertex + 1, kNone);
+    }
+    rootOfVertex_[vertex] = root;
 }
 
 std::uint64_t MeshEditor::keyOf(std::uint32_t a, std::uint32_t b)
@@ -273,11 +289,7 @@ void MeshEditor::replaceRecord(std::uint32_t record, std::uint32_t v, double par
     recordOf_[keyOf(mesh_.edges[record].a, v)] = record;
     recordOf_[keyOf(v, second.b)] = static_cast<std::uint32_t>(mesh_.edges.size());
     mesh_.edges.push_back(second);
-    rootOfRecord_.push_back(rootOfRecord_[record]);
-    if (v >= rootOfVertex_.size()) {
-        rootOfVertex_.resize(v + 1, kNone);
-    }
-    rootOfVertex_[v] = rootOfRecord_[record];
+    setRoot(v, second.useSet);
 }
 
 std::uint32_t MeshEditor::splitEdge(HalfEdge edge, double fraction)

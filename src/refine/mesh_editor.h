@@ -32,7 +32,8 @@ class MeshEditor
 public:
     static constexpr std::uint32_t kNone = 0xffffffffU;
 
-    /// Takes the constrained edges of the mesh as roots: pieces remember which one they come from.
+    /// Constrained edges are grouped by their useSet: the pieces of one recovered subsegment have one
+    /// root, whose ends are the vertices that are not SegmentSplit.
     explicit MeshEditor(WorkingMesh& mesh);
 
     WorkingMesh& mesh() { return mesh_; }
@@ -68,12 +69,11 @@ public:
     /// returns kNone if something lies between chord and curve or the point coincides with an end.
     std::uint32_t splitEdge(HalfEdge edge, double fraction);
 
-    /// The original constrained edge that an edge record or a split vertex belongs to.
+    /// The recovered subsegment that a split vertex belongs to, and its ends.
     std::uint32_t rootOfVertex(std::uint32_t v) const
     {
         return v < rootOfVertex_.size() ? rootOfVertex_[v] : kNone;
     }
-    std::uint32_t rootOfRecord(std::uint32_t record) const { return rootOfRecord_[record]; }
     std::uint32_t rootStart(std::uint32_t root) const { return rootEnds_[root].a; }
     std::uint32_t rootEnd(std::uint32_t root) const { return rootEnds_[root].b; }
 
@@ -85,9 +85,11 @@ private:
     };
     struct Ends
     {
-        std::uint32_t a, b;
+        std::uint32_t a = kNone;
+        std::uint32_t b = kNone;
     };
 
+    void setRoot(std::uint32_t vertex, std::uint32_t root);
     static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b);
     CurvePoint pointOnEdge(const ConstrainedEdge& edge, bool fromA, double fraction) const;
     std::uint32_t insertOnEdge(HalfEdge edge, Vec2 p);
@@ -99,7 +101,6 @@ private:
 
     WorkingMesh& mesh_;
     std::unordered_map<std::uint64_t, std::uint32_t> recordOf_;
-    std::vector<std::uint32_t> rootOfRecord_;
     std::vector<Ends> rootEnds_;
     std::vector<std::uint32_t> rootOfVertex_;
     std::vector<HalfEdge> suspects_;

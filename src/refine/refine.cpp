@@ -60,8 +60,14 @@ RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOption
     report.interiorPoints
         += placeFrontal(editor, sizes, patch.firstTriangle, patch.endTriangle, execution);
     releaseRim(editor, patch);
-    refineDelaunay(editor, size, options, report, execution);
-    report.unreached = findUnreached(mesh, options);
+    RefineOptions rest = options;
+    if (options.optimizeFollows) {
+        rest.minAngle = 0.0;
+    }
+    refineDelaunay(editor, size, rest, report, execution);
+    if (!options.optimizeFollows) {
+        report.unreached = findUnreached(mesh, options);
+    }
     return report;
 }
 

@@ -51,13 +51,16 @@ struct RefineOptions
     double maxArea = 0.0;          ///< 0: none
     bool freezeBoundary = false;   ///< constrained edges may not be split
     std::vector<double> regionMaxArea; ///< by region; 0: none
+    /// optimize() will be called with the same options: small angles are left to it, which mends
+    /// most of them without further points.
+    bool optimizeFollows = false;
 };
 
 struct RefineReport
 {
     std::size_t interiorPoints = 0;
     std::size_t segmentSplits = 0;
-    std::vector<Unreached> unreached;
+    std::vector<Unreached> unreached; ///< empty if optimizeFollows
 };
 
 /// Inserts interior points (paper, Algorithm 1, step 3) by the size field, then refines by Delaunay

@@ -56,7 +56,7 @@ VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const Refine
 void VertexSizes::prepare(RefineReport& report, Execution& execution)
 {
     makeShells(report);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0;; ++round) {
         execution.checkpoint();
         h_.resize(t_.points.size());
         shell_.resize(t_.points.size(), 0.0F);
