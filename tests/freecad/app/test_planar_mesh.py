@@ -16,7 +16,7 @@ from tessera.tools.request import MeshRequest, default_size
 
 def mesh_of(source, **options):
     obj = planar_mesh.make_planar_mesh(source, **options)
-    source.Document.recompute()
+    recompute(obj)
     return obj
 
 
@@ -60,7 +60,6 @@ def test_the_format_of_files(document):
 
 def test_plate(document):
     obj = mesh_of(sketches.plate(document), size=5.0)
-    assert obj.isValid()
     fem = obj.FemMesh
     assert fem.FaceCount == obj.Triangles > 300
     area = sketches.fem_area(fem)
@@ -184,7 +183,6 @@ def test_planar_shape(document):
     face = document.addObject("Part::Feature", "Disc")
     face.Shape = Part.Face(Part.Wire(Part.makeCircle(10.0)))
     obj = mesh_of(face)
-    assert obj.isValid()
     assert obj.Area.getValueAs("mm^2").Value == pytest.approx(100 * math.pi, rel=0.01)
 
 
@@ -198,7 +196,6 @@ def test_mesh_lies_where_the_sketch_does(document):
     body.Placement = FreeCAD.Placement(Vector(100, 0, 0), FreeCAD.Rotation(Vector(0, 0, 1), 90))
     document.recompute()
     obj = mesh_of(sketch)
-    assert obj.isValid()
     corner = sketch.getGlobalPlacement().multVec(Vector(20, 10, 0))
     distances = [node.distanceToPoint(corner) for node in obj.FemMesh.Nodes.values()]
     assert min(distances) == pytest.approx(0.0, abs=1e-9)
@@ -239,8 +236,8 @@ BAD_SOURCES = {
 @pytest.mark.parametrize("name", BAD_SOURCES)
 def test_bad_source_is_explained(document, name):
     make, words = BAD_SOURCES[name]
-    source = make(document)
-    obj = mesh_of(source, size=1.0)
+    obj = planar_mesh.make_planar_mesh(make(document), size=1.0)
+    document.recompute()
     assert not obj.isValid()
     assert re.search(words, obj.getStatusString()), obj.getStatusString()
     assert (obj.FemMesh.FaceCount, obj.MeshRevision) == (0, 0)
@@ -266,6 +263,7 @@ def test_source_that_became_bad_keeps_the_mesh(document):
     sketch = sketches.plate(document)
     obj = mesh_of(sketch)
     count = obj.FemMesh.FaceCount
+    assert count > 0
     for index in (3, 2):
         sketch.delGeometry(index)
     sketch.delGeometry(sketch.GeometryCount - 1)

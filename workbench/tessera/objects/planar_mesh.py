@@ -206,7 +206,7 @@ class PlanarMesh:
         if not container.isIdentity():
             fem.transformGeometry(container.toMatrix())
         if obj.MeshRevision not in self.history:
-            self.history.remember(obj.MeshRevision, obj.FemMesh)
+            self.history.remember(obj.MeshRevision, obj.FemMesh.copy())
         revision = self.history.next_revision(obj.MeshRevision)
         self.history.remember(revision, fem)
         obj.MeshRevision = revision  # onChanged assigns the mesh
