@@ -36,7 +36,8 @@ class DrawnCurve:
         """Of the nearest point of the whole line, circle, ...; may lie outside of the range."""
         if self.straight:
             a, b = self.ends
-            return self.first + np.dot(p - a, b - a) / np.dot(b - a, b - a) * (self.last - self.first)
+            fraction = np.dot(p - a, b - a) / np.dot(b - a, b - a)
+            return self.first + fraction * (self.last - self.first)
         from FreeCAD import Vector
 
         t = self.edge.Curve.parameter(Vector(p[0], p[1], 0))
@@ -222,29 +223,30 @@ class MeshComparison:
         self.area = float(0.5 * doubled.sum())
         self.drawn_area, self.drawn_outline = drawing.measure()
         self.sides, uses = sides_of(triangles)
-        self.outline = float(np.hypot(*(points[self.sides[:, 0]] - points[self.sides[:, 1]]).T)[uses == 1].sum())
+        lengths = np.hypot(*(points[self.sides[:, 0]] - points[self.sides[:, 1]]).T)
+        self.outline = float(lengths[uses == 1].sum())
         if (uses > 2).any():
             self.problems.append("sides with more than two triangles")
 
         self.chord_error = self.chord_shortening = 0.0
         self.pieces = self.missing = 0
         self._side_set = set(map(tuple, self.sides.tolist()))
-        self._nodes = np.unique(triangles)
+        nodes = np.unique(triangles)
+        self._nodes = nodes[np.argsort(points[nodes, 0], kind="stable")]  # by x
         self._points = points[self._nodes]
         for curve, t0, t1, left, right in drawing.pieces:
             if left or right:
                 self._follow(drawing, curve, t0, t1, bool(left) != bool(right))
         if self.missing:
-            self.problems.append(f"{self.missing} of {self.pieces} pieces of curves are not in the mesh")
+            self.problems.append(f"{self.missing} of {self.pieces} pieces of curves are missing")
         slack = 1e-9 * self.drawn_area
         if abs(self.area - self.drawn_area) > self.chord_error + slack:
+            self.problems.append("the area differs by more than chords explain")
+        slack = 1e-9 * self.drawn_outline
+        if not -slack <= self.drawn_outline - self.outline <= self.chord_shortening + slack:
             self.problems.append(
-                f"area {self.area:.9g}, drawn {self.drawn_area:.9g}, chords explain {self.chord_error:.3g}"
-            )
-        short = self.drawn_outline - self.outline
-        if not -1e-9 * self.drawn_outline <= short <= self.chord_shortening + 1e-9 * self.drawn_outline:
-            self.problems.append(
-                f"sides of one triangle are {self.outline:.9g} long, the outline {self.drawn_outline:.9g}"
+                f"the sides of one triangle are {self.outline:.9g} long together, the outline is "
+                f"{self.drawn_outline:.9g}"
             )
 
     def _follow(self, drawing, curve, t0, t1, outline):
@@ -253,10 +255,10 @@ class MeshComparison:
         chain = self._nodes_on(drawing, curve, t0, t1)
         ends = [curve.point(t0), curve.point(t1)]
         found = [point for _, _, point in (chain[0], chain[-1])] if chain else []
-        joined = all(
-            (min(i, j), max(i, j)) in self._side_set for (_, i, _), (_, j, _) in zip(chain, chain[1:])
-        )
-        at_ends = found and all(np.hypot(*(p - q)) <= 10 * drawing.tolerance for p, q in zip(found, ends))
+        numbers = [number for _, number, _ in chain]
+        joined = all((min(side), max(side)) in self._side_set for side in zip(numbers, numbers[1:]))
+        reach = 10 * drawing.tolerance
+        at_ends = found and all(np.hypot(*(p - q)) <= reach for p, q in zip(found, ends))
         if len(chain) < 2 or not joined or not at_ends:
             self.missing += 1
             return
@@ -272,8 +274,12 @@ class MeshComparison:
     def _nodes_on(self, drawing, curve, t0, t1):
         """(parameter, node, point) of the nodes on a piece, in its order."""
         tolerance = drawing.tolerance
-        low, high = np.array(curve.box[:2]) - tolerance, np.array(curve.box[2:]) + tolerance
-        near = np.flatnonzero(((self._points >= low) & (self._points <= high)).all(axis=1))
+        x = self._points[:, 0]
+        first = np.searchsorted(x, curve.box[0] - tolerance)
+        last = np.searchsorted(x, curve.box[2] + tolerance)
+        y = self._points[first:last, 1]
+        in_box = (y >= curve.box[1] - tolerance) & (y <= curve.box[3] + tolerance)
+        near = first + np.flatnonzero(in_box)
         if curve.straight:
             a, b = curve.ends
             u = (b - a) / np.hypot(*(b - a))
@@ -281,19 +287,38 @@ class MeshComparison:
             near = near[np.abs(w[:, 0] * u[1] - w[:, 1] * u[0]) <= tolerance]
         chain = []
         slack = 10 * tolerance * (curve.last - curve.first) / curve.edge.Length
-        closed = t0 == curve.first and t1 == curve.last and np.hypot(*(curve.ends[0] - curve.ends[1])) < tolerance
+        whole = t0 == curve.first and t1 == curve.last
+        closed = whole and np.hypot(*(curve.ends[0] - curve.ends[1])) < tolerance
         for index in near:
             p = self._points[index]
             t = curve.parameter(p)
             if t0 - slack <= t <= t1 + slack and np.hypot(*(curve.point(t) - p)) <= tolerance:
                 t = min(max(t, t0), t1)
                 chain.append((t, int(self._nodes[index]), p))
-                if closed and min(t - t0, t1 - t) <= slack:  # the node where it closes: both ends
+                if closed and min(t - t0, t1 - t) <= slack:  # where it closes: both ends
                     chain.append((t1 if t - t0 <= slack else t0, int(self._nodes[index]), p))
         return sorted(chain, key=lambda item: item[0])
 
 
 def sides_of(triangles):
     """(k, 2) sides, smaller node first, and how many triangles have each."""
-    sides = np.sort(np.vstack([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
-    return np.unique(sides, axis=0, return_counts=True)
+    sides = np.vstack([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    return np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
+
+
+def read_vtu(path):
+    """(points (n, 2), triangles (m, 3)) of a plane mesh of triangles, read by VTK."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    grid = reader.GetOutput()
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    corners = [
+        [grid.GetCell(i).GetPointId(k) for k in range(3)]
+        for i in range(grid.GetNumberOfCells())
+        if grid.GetCell(i).GetCellDimension() == 2
+    ]
+    return points[:, :2].astype(float), np.array(corners)

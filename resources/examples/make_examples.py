@@ -20,6 +20,9 @@ import Part
 import Sketcher
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "workbench"))
+from tessera.objects.planar_mesh import make_planar_mesh
+
 V = FreeCAD.Vector
 Z = V(0, 0, 1)
 START, END, CENTER = 1, 2, 3
@@ -157,7 +160,6 @@ def bracket(document):
     slot(sketch, (44, 16), 16, 5, 0)
     slot(sketch, (20, 46), 9, 4.5, 90)
     slot(sketch, (108, 24), 14, 5, 20)
-    return sketch
 
 
 # Concrete: convex gravels that do not meet, in a square whose border some of them cross
@@ -246,7 +248,8 @@ def concrete(document):
     stones = new_sketch(document, "Gravels")
     for stone in gravels(500, side, seed=2014):
         polygon(stones, stone)
-    return outline, stones
+    # The gravels bound nothing: the mesh covers the whole specimen and keeps their borders.
+    make_planar_mesh(outline, size=2.5, constraints=((stones, ()),))
 
 
 def polygon(sketch, corners):
@@ -259,7 +262,8 @@ def polygon(sketch, corners):
 
 def ship(document):
     sketch = new_sketch(document, "Midship")
-    half = [(0, 0), (6, 0), (12.5, 0.05), (15.7, 0.5), (16.25, 3.6), (16.4, 9), (16.2, 15), (16, 20)]
+    half = [(0, 0), (6, 0), (12.5, 0.05), (15.7, 0.5), (16.25, 3.6), (16.4, 9), (16.2, 15)]
+    half.append((16, 20))
     camber = Part.Arc(V(16, 20), V(0, 20.5), V(-16, 20))
     hull = [spline(half), camber, spline([(-x, y) for x, y in reversed(half)])]
     sketch.addGeometry(hull)
@@ -287,7 +291,6 @@ def ship(document):
             ((side * 15.0, 1.4), (side * 16.6, -0.2)),  # bilge keel
         ]
     sketch.addGeometry([line(a, b) for a, b in members])
-    return sketch
 
 
 # Boolean: a polygon that crosses itself, over a square
@@ -301,13 +304,13 @@ def boolean(document):
     for k in range(7):  # every third of seven points around the square
         angle = math.radians(97 + 3 * k * 360 / 7)
         reach = (44, 35, 46, 38, 42, 34, 45)[k]
-        corners.append((round(34 + reach * math.cos(angle), 3), round(28 + reach * math.sin(angle), 3)))
+        x, y = 34 + reach * math.cos(angle), 28 + reach * math.sin(angle)
+        corners.append((round(x, 3), round(y, 3)))
     polygon(star, corners)
-    return square, star
 
 
 def save(document, path):
-    """Saves with fixed times and numbers instead of today's, so that equal drawings are equal files."""
+    """Saves with fixed times and numbers instead of today's: equal drawings are equal files."""
     uid = str(uuid.uuid5(uuid.NAMESPACE_DNS, "tessera." + document.Name)).encode()
     document.License = "MIT"
     document.LicenseURL = "https://spdx.org/licenses/MIT.html"
@@ -318,7 +321,8 @@ def save(document, path):
             for name in old.namelist():
                 content = old.read(name)
                 if name == "Document.xml":
-                    content = re.sub(rb'"[-0-9]{10}T[0-9:]{8}Z?"', b'"2024-01-01T00:00:00Z"', content)
+                    today = rb'"[-0-9]{10}T[0-9:]{8}Z?"'
+                    content = re.sub(today, b'"2024-01-01T00:00:00Z"', content)
                     content = re.sub(rb'<Uuid value="[^"]*"', b'<Uuid value="%s"' % uid, content)
                     number = itertools.count(1)
                     content = re.sub(
@@ -335,7 +339,7 @@ def main():
     for make in (bracket, concrete, ship, boolean):
         document = FreeCAD.newDocument(make.__name__)
         make(document)
-        document.recompute()
+        document.recompute(document.findObjects("Sketcher::SketchObject"))
         save(document, os.path.join(folder, make.__name__ + ".FCStd"))
         for sketch in document.findObjects("Sketcher::SketchObject"):
             print(make.__name__, sketch.Label, sketch.GeometryCount, "curves")

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: MIT
+"""The part of tools/demo that runs in FreeCAD: meshes sketches, writes the results, checks them
+against the drawing (demo_check.py) and prints a table to descriptor 3."""
+
+import glob
+import os
+import re
+import shutil
+import sys
+import time
+import traceback
+
+import FreeCAD
+
+TOOLS = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, TOOLS)
+
+EXAMPLES = os.path.join(os.path.dirname(TOOLS), "resources", "examples")
+SKETCH = "Sketcher::SketchObject"
+COLUMNS = (
+    ("document", "", "{:<10}"),
+    ("sketch", "", "{:<22}"),
+    ("triangles", "", "{:>9}"),
+    ("min", "angle", "{:>6}"),
+    ("mean", "quality", "{:>7}"),
+    ("area", "of mesh", "{:>12}"),
+    ("area", "drawn", "{:>12}"),
+    ("differ-", "ence", "{:>9}"),
+    ("chords", "explain", "{:>9}"),
+    ("crossings", "", "{:>9}"),
+    ("seconds", "", "{:>7}"),
+    ("checks", "", " {}"),
+)
+ROW = " ".join(form for _, _, form in COLUMNS)
+HEADER = "\n".join(ROW.format(*(column[line] for column in COLUMNS)) for line in (0, 1))
+
+
+class Job:
+    """A mesh to make: of a sketch, of several together, or as a mesh object of the file asks."""
+
+    def __init__(self, document, name, sketches, constraints=(), mesh_object=None):
+        self.document = document
+        self.name = name
+        self.sketches = sketches
+        self.constraints = list(constraints)
+        self.mesh_object = mesh_object
+
+
+class Result:
+    def __init__(self, job, mesh, seconds, comparison, drawing):
+        self.job, self.mesh, self.seconds = job, mesh, seconds
+        self.comparison, self.drawing = comparison, drawing
+
+
+def edges_of(sketch, base):
+    """Edges of what the sketch draws, construction geometry left out, in the frame base."""
+    frame = base.inverse().multiply(sketch.Placement)
+    edges = []
+    for index, geometry in enumerate(sketch.Geometry):
+        if not sketch.getConstruction(index):
+            shape = geometry.toShape()
+            shape.Placement = frame.multiply(shape.Placement)
+            edges += shape.Edges
+    return edges
+
+
+def drawing_of(sketches, constraints=()):
+    from demo_check import Drawing
+
+    base = sketches[0].Placement
+    return Drawing(
+        [edges_of(sketch, base) for sketch in sketches],
+        [edge for sketch in constraints for edge in edges_of(sketch, base)],
+    )
+
+
+def has_closed_outline(sketch):
+    edges = edges_of(sketch, sketch.Placement)
+    return bool(edges) and any(curve.boundary for curve in drawing_of([sketch]).curves)
+
+
+def jobs_of(document, only=None):
+    """A job for each mesh object of the document, and one for each further sketch with a closed
+    outline, or only for the sketch of that name."""
+    from tessera.objects.planar_mesh import is_planar_mesh
+
+    jobs, used = [], set()
+    for obj in document.Objects:
+        if is_planar_mesh(obj) and obj.Source is not None and obj.Source.isDerivedFrom(SKETCH):
+            constraints = [link[0] for link in obj.Constraints]
+            jobs.append(Job(document, obj.Source.Label, [obj.Source], constraints, obj))
+            used.update(sketch.Name for sketch in [obj.Source] + constraints)
+    for sketch in document.findObjects(SKETCH):
+        wanted = sketch.Name == only if only else sketch.Name not in used
+        if wanted and has_closed_outline(sketch):
+            jobs.append(Job(document, sketch.Label, [sketch]))
+    return jobs
+
+
+def run(job, out):
+    """Meshes, puts the mesh into the document, writes and checks it."""
+    import tessera
+    from tessera.objects import planar_mesh
+
+    stem = file_name(f"{job.document.Name}-{job.name}")
+    stages = os.path.join(out, "stages", stem)
+    if len(job.sketches) > 1:
+        begin = time.perf_counter()
+        mesh = tessera.mesh(job.sketches)
+        seconds = time.perf_counter() - begin
+        obj = job.document.addObject("Fem::FemMeshObject", "PlanarMesh")
+        obj.Label = f"{job.name} mesh"
+        obj.FemMesh = mesh.to_fem()
+        tessera.mesh(job.sketches, recovery="steiner", stages=stages)
+    else:
+        obj = job.mesh_object or planar_mesh.make_planar_mesh(job.sketches[0])
+        request = planar_mesh.request_of(obj)
+        prepared = request.prepare()
+        begin = time.perf_counter()
+        mesh = request.mesh(prepared)
+        seconds = time.perf_counter() - begin
+        obj.Proxy.offer(request, mesh)
+        obj.recompute()
+        tessera.mesh(
+            prepared, size=request.size, growth=request.growth, recovery="steiner", stages=stages
+        )
+    mesh.write(os.path.join(out, stem + ".vtu"))
+    mesh.plot(os.path.join(out, stem + ".png"))
+
+    from demo_check import MeshComparison, read_vtu
+
+    drawing = drawing_of(job.sketches, job.constraints)
+    comparison = MeshComparison(drawing, *read_vtu(os.path.join(out, stem + ".vtu")))
+    if (obj.FemMesh.NodeCount, obj.FemMesh.FaceCount) != (len(mesh.nodes), len(mesh.triangles)):
+        comparison.problems.append("the document's FEM mesh is another one")
+    return Result(job, mesh, seconds, comparison, drawing)
+
+
+def file_name(text):
+    return re.sub(r"[^\w.-]+", "-", text).strip("-")
+
+
+def table_row(result):
+    report, comparison = result.mesh.report, result.comparison
+    return ROW.format(
+        result.job.document.Name[:12],
+        result.job.name[:22],
+        report["triangles"],
+        f"{report['min_angle_deg']:.1f}",
+        f"{report['mean_quality']:.3f}",
+        f"{comparison.area:.6f}",
+        f"{comparison.drawn_area:.6f}",
+        f"{comparison.area - comparison.drawn_area:+.2g}",
+        f"{comparison.chord_error:.2g}",
+        report["crossings"],
+        f"{result.seconds:.2f}",
+        "; ".join(comparison.problems) or f"ok, {comparison.pieces} pieces of curves",
+    )
+
+
+def bundled():
+    """(file, name of the one sketch wanted or None, sketches to mesh together)."""
+    for name in ("bracket", "concrete", "ship"):
+        yield os.path.join(EXAMPLES, name + ".FCStd"), None, ()
+    yield os.path.join(EXAMPLES, "boolean.FCStd"), None, ("Square", "Star")
+    mod = os.path.join(FreeCAD.getHomePath(), "Mod")
+    places = ("Path/PathTests", "CAM/CAMTests")  # before 1.0, since
+    found = [f for place in places for f in glob.glob(os.path.join(mod, place, "Drilling_1.FCStd"))]
+    if found:
+        yield found[0], "largest", ()
+    else:
+        say("FreeCAD's own Drilling_1.FCStd is not installed")
+
+
+def largest(document):
+    def extent(sketch):
+        return sketch.Shape.BoundBox.DiagonalLength
+
+    return max(document.findObjects(SKETCH), key=extent).Name
+
+
+def say(text):
+    with open(3, "w", closefd=False) as terminal:
+        print(text, file=terminal, flush=True)
+
+
+def mesh_file(path, out, only, together):
+    """Number of meshes, and whether all is well."""
+    document = FreeCAD.openDocument(path)
+    jobs = jobs_of(document, largest(document) if only == "largest" else only)
+    if together:
+        sketches = [document.getObject(name) for name in together]
+        jobs.append(Job(document, " + ".join(together), sketches))
+    good = True
+    for job in jobs:
+        try:
+            result = run(job, out)
+            say(table_row(result))
+            good = good and not result.comparison.problems
+        except Exception as error:
+            traceback.print_exc()
+            say(f"{document.Name:<12} {job.name:<22} {error}")
+            good = False
+    if not jobs:
+        say(f"{document.Name:<12} no sketch with a closed outline")
+    saved = os.path.join(out, os.path.basename(path))
+    if os.path.exists(saved):
+        os.remove(saved)  # FreeCAD would keep it beside as a backup
+    document.saveAs(saved)
+    FreeCAD.closeDocument(document.Name)
+    return len(jobs), good and bool(jobs)
+
+
+def main():
+    out = os.environ["TESSERA_DEMO_OUT"]
+    os.makedirs(out, exist_ok=True)
+    shutil.rmtree(os.path.join(out, "stages"), ignore_errors=True)
+    files = [(path, None, ()) for path in os.environ["TESSERA_DEMO_FILES"].split("\n") if path]
+    say(HEADER)
+    results = [mesh_file(*item[:1], out, *item[1:]) for item in files or bundled()]
+    meshes = sum(count for count, _ in results)
+    good = all(fine for _, fine in results)
+    say(
+        f"\n{meshes} meshes in {len(results)} documents; "
+        + ("every check passed" if good else "CHECKS FAILED, see above")
+        + f"\ndocuments, .vtu, .png: {out}\npictures of the stages: {os.path.join(out, 'stages')}"
+    )
+    return 0 if good else 1
+
+
+status = 1
+try:
+    status = main()
+except BaseException:
+    traceback.print_exc()
+sys.stdout.flush()
+sys.stderr.flush()
+os._exit(status)
