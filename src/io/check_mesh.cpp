@@ -397,7 +397,12 @@ private:
 
     void checkOutline()
     {
-        const auto hanging = findHangingNodes(points_, outline_);
+        auto hanging = findHangingNodes(points_, outline_);
+        std::erase_if(hanging, [this](const OutlineProblem& problem) {
+            // The third corner of a needle is as near to the side opposite.
+            const auto nodes = mesh_.nodesOfCell(mesh_.cells[outlineCell_[problem.side[0]]]);
+            return std::ranges::find(nodes, problem.node) != nodes.end();
+        });
         for (const OutlineProblem& problem : hanging) {
             add(fmt::format("Node {} at {} hangs on {}.", number(problem.node),
                             place(problem.node), sideName(problem.side[0])));

@@ -133,6 +133,9 @@ private:
         const Vec2 a = nodes_[edges_[edge][0]];
         const Vec2 b = nodes_[edges_[edge][1]];
         const Vec2 start = midpoint(a, b);
+        if (a.y == b.y) {
+            return {start, 0.0}; // no gap is beside a horizontal edge
+        }
         const double direction = b.y > a.y ? 1.0 : -1.0;
         double width = std::numeric_limits<double>::infinity();
         for (std::size_t e = 0; e < edges_.size(); ++e) {

@@ -208,7 +208,8 @@ void StagePictures::beforeRecovery(const Triangulation& triangulation,
     const DrawnTriangles drawn = allTriangles(triangulation);
     const std::vector<DrawnEdge> sides = sidesOf(drawn);
     save("3-before-recovery", domain_,
-         fmt::format("Before boundary recovery: {} of {} missing (red)", missing.size(),
+         fmt::format("Before boundary recovery: {} of {} missing",
+                     missing.empty() ? "none" : fmt::format("{} (red)", missing.size()),
                      counted(constraints.size(), "boundary segment", "boundary segments")),
          [&](Canvas& canvas) {
              const auto& points = triangulation.points;
@@ -271,8 +272,14 @@ void StagePictures::outsideRemoved(const RecoveryResult& result, const RegionMap
         const RegionId region = regions.regionOfTriangle[t];
         return region.valid() && regions.regions[region.index()].inside;
     };
+    // Numbered as the mesh's regions will be, so that they have the same colors.
+    std::vector<std::uint32_t> number(regions.regions.size(), 0);
+    std::uint32_t keptCount = 0;
+    for (std::size_t r = 0; r < number.size(); ++r) {
+        number[r] = regions.regions[r].inside ? keptCount++ : 0;
+    }
     const DrawnTriangles kept = drawnTriangles(triangulation, [&](std::uint32_t t) {
-        return isKept(t) ? regions.regionOfTriangle[t].value : DrawnTriangles::kNone;
+        return isKept(t) ? number[regions.regionOfTriangle[t].index()] : DrawnTriangles::kNone;
     });
     const DrawnTriangles removed = drawnTriangles(triangulation, [&](std::uint32_t t) {
         return isKept(t) ? DrawnTriangles::kNone : 0U;
@@ -285,7 +292,7 @@ void StagePictures::outsideRemoved(const RecoveryResult& result, const RegionMap
                      counted(regions.keptRegions, "region", "regions")),
          [&](Canvas& canvas) {
              const auto& points = triangulation.points;
-             fillClasses(canvas, points, sides, chooseColors(sides, regions.regions.size()));
+             fillClasses(canvas, points, sides, chooseColors(sides, keptCount));
              strokeEdges(canvas, points, removedSides, {kFaintWire, 1.0, kWireFrom, 0.12});
              strokeEdges(canvas, points, sides, {kWire, 1.3, kWireFrom, 0.12});
              strokeEdges(canvas, points, subsegments(result), {kBoundary, 2.8, 10.0, 0.9});

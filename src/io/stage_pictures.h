@@ -16,9 +16,9 @@ namespace tessera
 /// Draws each stage of a run, like the paper's Fig. 2, as .svg and .png into a folder:
 /// 1-rectangle, 2-points, 3-before-recovery, 4-recovered, 5-outside-removed, 6-optimized, and
 /// 7-zoom, a part of the last enlarged as in Fig. 5. Pictures 3 and 4 show the recovery that had
-/// more to do: of the straight curves before they are sampled, or of all sampled pieces. With the strategy Steiner also
-/// steiner-before and steiner-after, a Steiner point on a boundary and a mesh edge before and after
-/// it is deleted as in Fig. 1. Functions throw Error(Unwritable).
+/// more to do: of the straight curves before they are sampled, or of all sampled pieces. With the
+/// strategy Steiner also steiner-before and steiner-after, a Steiner point on a boundary and a mesh
+/// edge before and after it is deleted as in Fig. 1. Functions throw Error(Unwritable).
 class StagePictures: public StageObserver
 {
 public:
