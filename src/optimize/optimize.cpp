@@ -18,6 +18,7 @@
 #include "delaunay/delaunay.h"
 #include "optimize/edits.h"
 #include "optimize/star.h"
+#include "refine/border_records.h"
 #include "refine/delaunay_refinement.h"
 #include "refine/mesh_editor.h"
 
@@ -282,6 +283,7 @@ OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, const RefineOp
                         Execution& execution)
 {
     OptimizeReport report;
+    const BorderRecords border(mesh);
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         Optimizer(mesh, size, report, execution).run();
         MeshEditor editor(mesh);

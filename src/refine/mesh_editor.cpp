@@ -84,7 +84,7 @@ VisibleWalk MeshEditor::walk(HalfEdge start, Vec2 p) const
     bool first = true;
     for (int step = 0; step < kWalkLimit; ++step) {
         if (t.isGhost(Topology::triangleOf(entry))) {
-            return {VisibleWalk::Kind::Blocked, {Location::Kind::Edge, entry}};
+            return {VisibleWalk::Kind::Outside, {Location::Kind::Triangle, entry}};
         }
         HalfEdge crossed = Topology::kDead;
         HalfEdge zero[3];
@@ -219,8 +219,9 @@ std::uint32_t MeshEditor::insertBeside(HalfEdge edge, Vec2 p)
     Location where {Location::Kind::Triangle, edge};
     if (!t.isGhost(near)) {
         const VisibleWalk found = walk(edge, p);
-        if (found.kind != VisibleWalk::Kind::Reached
-            || found.location.kind == Location::Kind::Vertex
+        const bool usable = found.kind == VisibleWalk::Kind::Reached
+            || found.kind == VisibleWalk::Kind::Outside;
+        if (!usable || found.location.kind == Location::Kind::Vertex
             || (found.location.kind == Location::Kind::Edge
                 && t.isConstrained(found.location.edge))
             || (Topology::triangleOf(found.location.edge) != near && !isInConflict(near, p))) {

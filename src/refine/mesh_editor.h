@@ -17,7 +17,8 @@ struct VisibleWalk
     enum class Kind
     {
         Reached, ///< location says where the point is
-        Blocked, ///< location.edge is the constrained edge (or hull edge) in between
+        Blocked, ///< location.edge is the constrained edge in between
+        Outside, ///< beyond the hull; location is the ghost triangle there
         Lost,    ///< too many steps; happens on badly shaped triangles only
     };
     Kind kind;

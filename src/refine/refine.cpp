@@ -2,6 +2,7 @@
 
 #include "refine/refine.h"
 
+#include "refine/border_records.h"
 #include "refine/delaunay_refinement.h"
 #include "refine/front.h"
 #include "refine/lattice.h"
@@ -52,6 +53,7 @@ RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOption
                     "The smallest angle must be between 0 and 33 degrees.");
     }
     RefineReport report;
+    const BorderRecords border(mesh);
     MeshEditor editor(mesh);
     VertexSizes sizes(editor, size, options);
     sizes.prepare(report, execution);

@@ -185,6 +185,30 @@ TEST(Refine, AreaLimitHolds)
     EXPECT_LE(r.figures.triangles, 4000U);
 }
 
+TEST(Refine, HullOfPointsWithoutConstraints)
+{
+    Domain d;
+    for (const Vec2 p : {Vec2 {0, 0}, Vec2 {3, 0.1}, Vec2 {2.9, 2}, Vec2 {0.3, 2.2}, Vec2 {1, 1}}) {
+        d.points.push_back(p);
+    }
+    const UniformSize size(0.1);
+    Refined r {d, d.build(), {}, {}, {}};
+    for (std::uint32_t i = 0; i < r.original.triangulation.triangles.size(); ++i) {
+        if (r.original.triangulation.isFinite(i)) {
+            r.original.regionOfTriangle[i] = 0;
+        }
+    }
+    r.mesh = r.original;
+    Execution execution;
+    r.report = refine(r.mesh, size, {}, execution);
+    r.figures = measure(r.mesh, size);
+    EXPECT_EQ(verify(r.mesh.triangulation), std::vector<std::string> {});
+    EXPECT_TRUE(r.mesh.edges.empty());
+    EXPECT_NEAR(r.figures.area, measure(r.original, size).area, 1e-12);
+    EXPECT_GE(r.figures.minAngle, 30.0);
+    EXPECT_GE(r.figures.p05, 0.7);
+}
+
 TEST(Refine, RandomDomains)
 {
     for (unsigned seed = 0; seed < 150; ++seed) {
