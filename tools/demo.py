@@ -3,6 +3,7 @@
 against the drawing (demo_check.py) and prints a table to descriptor 3."""
 
 import glob
+import json
 import os
 import re
 import shutil
@@ -47,9 +48,31 @@ class Job:
 
 
 class Result:
-    def __init__(self, job, mesh, seconds, comparison, drawing):
-        self.job, self.mesh, self.seconds = job, mesh, seconds
+    def __init__(self, job, stem, mesh, seconds, comparison, drawing):
+        self.job, self.stem, self.mesh, self.seconds = job, stem, mesh, seconds
         self.comparison, self.drawing = comparison, drawing
+
+    def summary(self):
+        """For summary.json: the mesh, what the drawing demands of it, and what was found."""
+        comparison = self.comparison
+        return {
+            "document": self.job.document.Name,
+            "sketch": self.job.name,
+            "file": self.stem + ".vtu",
+            "triangles": self.mesh.report["triangles"],
+            "area": comparison.area,
+            "drawn_area": comparison.drawn_area,
+            "chord_error": comparison.chord_error,
+            "outline": comparison.outline,
+            "drawn_outline": comparison.drawn_outline,
+            "chord_shortening": comparison.chord_shortening,
+            "crossings": self.mesh.report["crossings"],
+            "drawn_crossings": self.drawing.crossings,
+            "pieces": comparison.pieces,
+            "missing_pieces": comparison.missing,
+            "problems": comparison.problems,
+            "seconds": self.seconds,
+        }
 
 
 def edges_of(sketch, base):
@@ -133,7 +156,7 @@ def run(job, out):
     comparison = MeshComparison(drawing, *read_vtu(os.path.join(out, stem + ".vtu")))
     if (obj.FemMesh.NodeCount, obj.FemMesh.FaceCount) != (len(mesh.nodes), len(mesh.triangles)):
         comparison.problems.append("the document's FEM mesh is another one")
-    return Result(job, mesh, seconds, comparison, drawing)
+    return Result(job, stem, mesh, seconds, comparison, drawing)
 
 
 def file_name(text):
@@ -185,17 +208,19 @@ def say(text):
 
 
 def mesh_file(path, out, only, together):
-    """Number of meshes, and whether all is well."""
+    """Summaries of the meshes, and whether all is well."""
     document = FreeCAD.openDocument(path)
     jobs = jobs_of(document, largest(document) if only == "largest" else only)
     if together:
         sketches = [document.getObject(name) for name in together]
         jobs.append(Job(document, " + ".join(together), sketches))
     good = True
+    summaries = []
     for job in jobs:
         try:
             result = run(job, out)
             say(table_row(result))
+            summaries.append(result.summary())
             good = good and not result.comparison.problems
         except Exception as error:
             traceback.print_exc()
@@ -208,7 +233,7 @@ def mesh_file(path, out, only, together):
         os.remove(saved)  # FreeCAD would keep it beside as a backup
     document.saveAs(saved)
     FreeCAD.closeDocument(document.Name)
-    return len(jobs), good and bool(jobs)
+    return summaries, good and bool(jobs)
 
 
 def main():
@@ -218,11 +243,13 @@ def main():
     files = [(path, None, ()) for path in os.environ["TESSERA_DEMO_FILES"].split("\n") if path]
     say(HEADER)
     results = [mesh_file(*item[:1], out, *item[1:]) for item in files or bundled()]
-    meshes = sum(count for count, _ in results)
+    summaries = [summary for found, _ in results for summary in found]
+    with open(os.path.join(out, "summary.json"), "w") as stream:
+        json.dump(summaries, stream, indent=2)
     good = all(fine for _, fine in results)
     say(
-        f"\n{meshes} meshes in {len(results)} documents; "
-        + ("every check passed" if good else "CHECKS FAILED, see above")
+        f"\n{len(summaries)} meshes in {len(results)} documents; "
+        + ("all checks passed" if good else "CHECKS FAILED, see above")
         + f"\ndocuments, .vtu, .png: {out}\npictures of the stages: {os.path.join(out, 'stages')}"
     )
     return 0 if good else 1

@@ -63,7 +63,7 @@ class Drawing:
         #: (curve, from, to, covered on the left, on the right) of each piece between cuts.
         self.pieces = list(self._pieces())
 
-    def _key(self, p):
+    def key(self, p):
         return tuple(np.round(p / (10 * self.tolerance)).astype(np.int64))
 
     def _set_roles(self):
@@ -79,15 +79,15 @@ class Drawing:
 
             for curve in curves:
                 for end in curve.ends:
-                    degree[self._key(end)] = degree.get(self._key(end), 0) + 1
-                leader[find(self._key(curve.ends[0]))] = find(self._key(curve.ends[1]))
+                    degree[self.key(end)] = degree.get(self.key(end), 0) + 1
+                leader[find(self.key(curve.ends[0]))] = find(self.key(curve.ends[1]))
             open_chains = {find(key) for key, count in degree.items() if count % 2}
             for curve in curves:
-                curve.boundary = find(self._key(curve.ends[0])) not in open_chains
+                curve.boundary = find(self.key(curve.ends[0])) not in open_chains
 
     def _split(self):
         """Cuts every curve where another meets it; returns the numbers of distinct points where
-        curves cross, and where ends lie inside other curves."""
+        curves cross and none ends, and where ends lie inside other curves."""
         crossings, touches = set(), set()
         for i, curve in enumerate(self.curves):
             near = np.flatnonzero(
@@ -101,12 +101,13 @@ class Drawing:
                 for point in self._meetings(curve, other):
                     inner = [self._cut(c, point) for c in (curve, other)]
                     if all(inner):
-                        crossings.add(self._key(point))
+                        crossings.add(self.key(point))
                     elif any(inner):
-                        touches.add(self._key(point))
+                        touches.add(self.key(point))
         for curve in self.curves:
             curve.cuts = self._distinct(curve)
-        return len(crossings), len(touches - crossings)
+        ends = {self.key(end) for curve in self.curves for end in curve.ends}
+        return len(crossings - ends), len(touches | crossings & ends)
 
     def _cut(self, curve, point):
         """Notes that the point lies on the curve; true if inside it, not at an end."""
@@ -208,6 +209,15 @@ def integrate(curve, t0, t1):
     return area, length
 
 
+def sagitta(curve, u, v, p=None, q=None):
+    """Greatest distance of the curve between parameters u and v from the line through p and q; they
+    are the curve's own points unless given."""
+    p = curve.point(u) if p is None else p
+    q = curve.point(v) if q is None else q
+    chord = max(np.hypot(*(q - p)), 1e-300)
+    return max(abs(cross(q - p, curve.point(u + k / 8 * (v - u)) - p)) / chord for k in range(9))
+
+
 class MeshComparison:
     """A triangle mesh against a drawing; problems lists, in words, all that is wrong.
 
@@ -234,46 +244,79 @@ class MeshComparison:
         nodes = np.unique(triangles)
         self._nodes = nodes[np.argsort(points[nodes, 0], kind="stable")]  # by x
         self._points = points[self._nodes]
+        self._drawing = drawing
+        self._reach = self._reaches()
+        self._shift = 0.0  # between drawn crossings and the mesh's, summed along the outline
         for curve, t0, t1, left, right in drawing.pieces:
             if left or right:
-                self._follow(drawing, curve, t0, t1, bool(left) != bool(right))
+                self._follow(curve, t0, t1, bool(left) != bool(right))
         if self.missing:
             self.problems.append(f"{self.missing} of {self.pieces} pieces of curves are missing")
         slack = 1e-9 * self.drawn_area
         if abs(self.area - self.drawn_area) > self.chord_error + slack:
             self.problems.append("the area differs by more than chords explain")
-        slack = 1e-9 * self.drawn_outline
+        slack = 1e-9 * self.drawn_outline + self._shift
         if not -slack <= self.drawn_outline - self.outline <= self.chord_shortening + slack:
             self.problems.append(
                 f"the sides of one triangle are {self.outline:.9g} long together, the outline is "
                 f"{self.drawn_outline:.9g}"
             )
 
-    def _follow(self, drawing, curve, t0, t1, outline):
+    def _reaches(self):
+        """How far from a drawn crossing the mesh may have it: a curve crossed on a chord is missed
+        by its sagitta, divided by the sine of the angle (taken as 1/4 or more)."""
+        reaches = {}
+        for curve in self._drawing.curves:
+            if curve.straight:
+                continue
+            nodes = [t for t, _, _ in self._nodes_on(curve, curve.first, curve.last)]
+            for t in curve.cuts:
+                u = max((v for v in nodes if v <= t), default=curve.first)
+                v = min((v for v in nodes if v >= t), default=curve.last)
+                if u < v:
+                    key = self._drawing.key(curve.point(t))
+                    reaches[key] = max(reaches.get(key, 0.0), 4 * sagitta(curve, u, v))
+        return reaches
+
+    def _end(self, point):
+        """(node, its point) of the mesh where the drawing has a piece's end, or None."""
+        squares = ((self._points - point) ** 2).sum(axis=1)
+        nearest = int(squares.argmin())
+        reach = 10 * self._drawing.tolerance + self._reach.get(self._drawing.key(point), 0.0)
+        if squares[nearest] > reach**2:
+            return None
+        return int(self._nodes[nearest]), self._points[nearest]
+
+    def _follow(self, curve, t0, t1, outline):
         """A piece is in the mesh if nodes lie at its ends and sides join those along it."""
         self.pieces += 1
-        chain = self._nodes_on(drawing, curve, t0, t1)
-        ends = [curve.point(t0), curve.point(t1)]
-        found = [point for _, _, point in (chain[0], chain[-1])] if chain else []
+        chain = self._nodes_on(curve, t0, t1)
+        for t in (t0, t1):
+            end = self._end(curve.point(t))
+            if end is None:
+                self.missing += 1
+                return
+            if all(t != u or end[0] != node for u, node, _ in chain):
+                chain.append((t, *end))
+        chain.sort(key=lambda item: item[0])
         numbers = [number for _, number, _ in chain]
-        joined = all((min(side), max(side)) in self._side_set for side in zip(numbers, numbers[1:]))
-        reach = 10 * drawing.tolerance
-        at_ends = found and all(np.hypot(*(p - q)) <= reach for p, q in zip(found, ends))
-        if len(chain) < 2 or not joined or not at_ends:
+        sides = [(min(side), max(side)) for side in zip(numbers, numbers[1:]) if len(set(side)) > 1]
+        if not sides or not self._side_set.issuperset(sides):
             self.missing += 1
             return
         if outline and not curve.straight:
             for (u, _, p), (v, _, q) in zip(chain, chain[1:]):
+                # A smooth arc and its chord enclose less than the chord's length times the sagitta.
                 chord = np.hypot(*(q - p))
-                # A chord of a smooth arc cuts off less than its length times the sagitta.
-                steps = [curve.point(u + k / 8 * (v - u)) for k in range(1, 8)]
-                sagitta = max(abs(cross(q - p, s - p)) / chord for s in steps)
-                self.chord_error += 1.01 * chord * sagitta
-                self.chord_shortening += integrate(curve, u, v)[1] - chord
+                self.chord_error += 1.5 * chord * sagitta(curve, u, v, p, q)
+                self.chord_shortening += max(integrate(curve, u, v)[1] - chord, 0.0)
+        if outline:
+            ends = ((t0, chain[0][2]), (t1, chain[-1][2]))
+            self._shift += sum(np.hypot(*(curve.point(t) - p)) for t, p in ends)
 
-    def _nodes_on(self, drawing, curve, t0, t1):
+    def _nodes_on(self, curve, t0, t1):
         """(parameter, node, point) of the nodes on a piece, in its order."""
-        tolerance = drawing.tolerance
+        tolerance = self._drawing.tolerance
         x = self._points[:, 0]
         first = np.searchsorted(x, curve.box[0] - tolerance)
         last = np.searchsorted(x, curve.box[2] + tolerance)

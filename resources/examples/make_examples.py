@@ -160,6 +160,7 @@ def bracket(document):
     slot(sketch, (44, 16), 16, 5, 0)
     slot(sketch, (20, 46), 9, 4.5, 90)
     slot(sketch, (108, 24), 14, 5, 20)
+    make_planar_mesh(sketch, size=2.5)
 
 
 # Concrete: convex gravels that do not meet, in a square whose border some of them cross
@@ -206,7 +207,7 @@ def gravels(count, side, seed):
     random, placed = Random(seed), []
     for k in range(count):
         radius = side * (0.034 * (1 - k / count) ** 3 + 0.011)
-        gap = side * 0.003
+        gap = side * 0.006
         while True:
             center = (random.uniform(0, side), random.uniform(0, side))
             candidate = gravel(random, center, radius)
@@ -249,7 +250,7 @@ def concrete(document):
     for stone in gravels(500, side, seed=2014):
         polygon(stones, stone)
     # The gravels bound nothing: the mesh covers the whole specimen and keeps their borders.
-    make_planar_mesh(outline, size=2.5, constraints=((stones, ()),))
+    make_planar_mesh(outline, size=2.0, constraints=((stones, ("",)),))
 
 
 def polygon(sketch, corners):
@@ -291,6 +292,7 @@ def ship(document):
             ((side * 15.0, 1.4), (side * 16.6, -0.2)),  # bilge keel
         ]
     sketch.addGeometry([line(a, b) for a, b in members])
+    make_planar_mesh(sketch, size=0.6)
 
 
 # Boolean: a polygon that crosses itself, over a square

@@ -13,13 +13,14 @@ export FREECAD_USER_HOME=$home
 export QTWEBENGINE_DISABLE_SANDBOX=1
 
 run_tests() { # FOLDER PART_OF_NAME PROGRAM...: pytest inside FreeCAD, a line for each test, a count
-    local folder=$1 name=$2 status=0
+    local folder=$1 name=$2 status=0 results=$TESSERA_TEST_OUTPUT/$1.xml
     shift 2
-    TESSERA_PYTEST=$(printf '%s\n' -q --tb=short "--junitxml=$home/results.xml" \
+    rm -f "$results"
+    TESSERA_PYTEST=$(printf '%s\n' -q --tb=short "--junitxml=$results" \
         ${name:+-k "$name"} "$here/$folder")
     export TESSERA_PYTEST
     timeout --kill-after=20 "${TESSERA_TEST_TIMEOUT:-1200}" "$@" "$here/run_pytest.py" || status=$?
-    python3 - "$home/results.xml" "$status" <<'END'
+    python3 - "$results" "$status" <<'END'
 import sys
 import xml.etree.ElementTree as ElementTree
 

@@ -16,7 +16,8 @@ import os, sys, traceback
 status = 1
 try:
     import FreeCAD, Part, tessera
-    square = Part.makePolygon([FreeCAD.Vector(*p) for p in [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)]])
+    corners = [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)]
+    square = Part.makePolygon([FreeCAD.Vector(*corner) for corner in corners])
     mesh = tessera.mesh(square, size=1.0)
     fem = mesh.to_fem()
     print("area", mesh.report["area"], "faces", fem.FaceCount == len(mesh.triangles))
