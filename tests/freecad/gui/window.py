@@ -26,9 +26,9 @@ def wait_until(condition, seconds=60.0, fail=True):
         time.sleep(0.005)
 
 
-def picture(path):
-    """A picture of the whole screen, 3D view included."""
-    wait(0.5)
+def picture(path, after=0.5):
+    """A picture of the whole screen, 3D view included, after some seconds for drawing."""
+    wait(after)
     assert QtGui.QApplication.primaryScreen().grabWindow(0).save(str(path))
 
 
@@ -71,9 +71,13 @@ class Panel:
     """The open task panel, as a user sees it."""
 
     def __init__(self):
-        form = self.find()
-        assert form is not None, "the task panel is not open"
-        self.form = form
+        wait_until(self._is_shown, 10)
+        self.form = self.find()
+
+    @classmethod
+    def _is_shown(cls):
+        form = cls.find()
+        return form is not None and form.isVisible()
 
     @staticmethod
     def find():
@@ -129,7 +133,6 @@ def open_panel(*items):
     FreeCADGui.updateGui()
     wait_until(toolbar_action().isEnabled, 10)
     toolbar_action().trigger()
-    wait_until(lambda: Panel.find() is not None, 10)
     return Panel()
 
 
@@ -137,6 +140,12 @@ def close_panel():
     if FreeCADGui.Control.activeDialog():
         FreeCADGui.Control.closeDialog()
     wait(0.1)
+
+
+def double_click(obj):
+    """Opens the panel of an object as a double click in the tree does."""
+    assert obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+    return Panel()
 
 
 def planar_meshes(document):

@@ -183,19 +183,38 @@ class PlanarMeshPanel:
             FreeCAD.Console.PrintError(f"Tessera: {type(error).__name__}: {error}\n")
 
     def _on_finished(self, requests, meshes):
-        self._end_job()
         closing, self._closing = self._closing, False
         if not self._document_is_open():
+            self._end_job()
             FreeCADGui.Control.closeDialog()
             return
+        changed = self._changed_source(requests)
+        if changed is not None:
+            self._end_job()
+            text = translate("Tessera", "{} has changed in the meantime; press Mesh again.")
+            self._show_message(text.format(changed.Label), _WARNING)
+            return
+        # FreeCAD takes some seconds for a million triangles and does not answer meanwhile.
+        self._on_progress(1.0, "store")
+        self.form.stopButton.setEnabled(False)
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
+            published = self._publish(requests, meshes)
+        finally:
+            QtGui.QApplication.restoreOverrideCursor()
+            self._end_job()
+        if published and closing:
+            self._commit()
+            self._leave_edit()
+            FreeCADGui.Control.closeDialog()
+
+    def _changed_source(self, requests):
+        """A source that was recomputed while the mesher ran, or None."""
         for request, shape in zip(requests, self._shapes):
             if not _is_same(shape, _shape_of(request.source)):
-                text = translate("Tessera", "{} has changed in the meantime; press Mesh again.")
-                self._show_message(text.format(request.source.Label), _WARNING)
-                return
-        if self._publish(requests, meshes) and closing:
-            self._commit()
-            FreeCADGui.Control.closeDialog()
+                return request.source
+        return None
 
     def _end_job(self):
         # The thread may still be leaving its last signal; the job may not go before it.
@@ -301,6 +320,7 @@ class PlanarMeshPanel:
         form.progressBar.setVisible(running)
         form.progressBar.setValue(0)
         form.stopButton.setVisible(running)
+        form.stopButton.setEnabled(True)
         for widget in (form.sizeField, form.growthField, form.orderField, form.fillField, form.constraintsBox):
             widget.setEnabled(not running)
 
@@ -362,6 +382,7 @@ def _stage_text(stage):
         "refine": translate("Tessera", "Refining"),
         "optimize": translate("Tessera", "Optimizing"),
         "extract": translate("Tessera", "Collecting results"),
+        "store": translate("Tessera", "Storing"),
     }
     return texts.get(stage, "")
 

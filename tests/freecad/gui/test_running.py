@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""While the mesher runs."""
+
+import threading
+import time
+
+import FreeCAD
+import sketches
+import window
+from PySide import QtCore
+
+from tessera.tools.mesh_job import MeshJob
+from tessera.tools.request import MeshRequest
+
+#: Some seconds of work.
+LONG = "0.04 mm"
+
+
+def running_panel(document):
+    panel = window.open_panel(sketches.plate(document))
+    panel.set_size(LONG)
+    panel.press_mesh()
+    return panel
+
+
+def mesher_threads():
+    return [t for t in threading.enumerate() if t.name == "Tessera mesher"]
+
+
+def test_stop(document, output):
+    panel = running_panel(document)
+    objects, undo_count = len(document.Objects), document.UndoCount
+    window.wait_until(lambda: panel.widget("progressBar").value() > 0)
+    assert panel.widget("stopButton").isVisible()
+    assert not panel.widget("meshButton").isVisible()
+    window.picture(output / "running.png", 0.2)
+    assert panel.running, "the mesh is too small for this test"
+    begin = time.monotonic()
+    panel.widget("stopButton").click()
+    window.wait_until(lambda: not panel.running)
+    assert time.monotonic() - begin < 2.0
+    assert panel.message.startswith("Stopped")
+    assert (len(document.Objects), document.UndoCount) == (objects, undo_count)
+    assert not mesher_threads()
+    panel.set_size("20 mm")
+    panel.mesh()
+    assert "triangles" in panel.message
+
+
+def test_window_stays_alive(document):
+    ticks = []
+    timer = QtCore.QTimer()
+    timer.timeout.connect(lambda: ticks.append(time.monotonic()))
+    panel = running_panel(document)
+    window.wait_until(lambda: panel.widget("progressBar").value() > 0)
+    timer.start(10)
+    window.wait(0.6)
+    timer.stop()
+    assert panel.running, "the mesh is too small for this test"
+    gaps = [b - a for a, b in zip(ticks, ticks[1:])]
+    assert len(gaps) > 10 and max(gaps) < 0.5
+    panel.widget("stopButton").click()
+    window.wait_until(lambda: not panel.running)
+
+
+def test_cancel_of_the_panel_while_running(document):
+    panel = running_panel(document)
+    objects = len(document.Objects)
+    window.wait_until(lambda: panel.widget("progressBar").value() > 0)
+    panel.press("Cancel")
+    assert window.Panel.find() is None
+    assert not mesher_threads()
+    window.wait(0.3)
+    assert len(document.Objects) == objects
+
+
+def test_ok_has_to_wait(document):
+    panel = running_panel(document)
+    window.wait_until(lambda: panel.widget("progressBar").value() > 0)
+    panel.press("Ok")
+    assert window.Panel.find() is not None
+    panel.press("Cancel")
+
+
+def test_sketch_that_changes_meanwhile(document):
+    panel = window.open_panel(sketches.plate(document))
+    panel.set_size("0.3 mm")
+    panel.press_mesh()
+    document.getObject("Plate").setDatum(0, FreeCAD.Units.Quantity("10 mm"))
+    document.recompute()
+    window.wait_until(lambda: not panel.running)
+    assert "changed" in panel.message
+    assert not window.planar_meshes(document)
+
+
+def test_signals_arrive_on_the_main_thread(document):
+    sketch = sketches.plate(document)
+    request = MeshRequest(sketch, size=1.0)
+    seen = []
+    job = MeshJob([request, request])
+    job.progressed.connect(lambda *_: seen.append(threading.current_thread()))
+    job.finished.connect(lambda meshes: seen.append((threading.current_thread(), len(meshes))))
+    job.start()
+    window.wait_until(lambda: seen and isinstance(seen[-1], tuple))
+    job.wait()
+    assert seen[-1] == (threading.main_thread(), 2)
+    assert set(seen[:-1]) == {threading.main_thread()}
