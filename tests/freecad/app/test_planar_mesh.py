@@ -39,6 +39,7 @@ def test_the_format_of_files(document):
         "GrowthRate": "App::PropertyFloatConstraint",
         "ElementOrder": "App::PropertyIntegerConstraint",
         "Fill": "App::PropertyEnumeration",
+        "Weld": "App::PropertyLength",
         "Triangles": "App::PropertyInteger",
         "Area": "App::PropertyArea",
         "MinAngle": "App::PropertyAngle",
@@ -224,6 +225,19 @@ def test_offered_mesh_is_taken_only_for_what_it_was_made(document):
     obj.Proxy.offer(request, mesh)
     recompute(obj)
     assert obj.Triangles > 4 * len(mesh.triangles)
+
+
+def test_weld_closes_a_gap(document):
+    sketch = sketches.new_sketch(document)
+    sketches.add_polygon(sketch, [(0, 0), (40, 0), (40, 20), (0, 20), (0, 0.01)], closed=False)
+    document.recompute()
+    obj = planar_mesh.make_planar_mesh(sketch, size=5.0)
+    document.recompute()
+    assert not obj.isValid()
+    assert "0.01 apart" in obj.getStatusString()
+    obj.Weld = 0.02
+    recompute(obj)
+    assert sketches.fem_area(obj.FemMesh) == pytest.approx(800.0, rel=1e-3)
 
 
 BAD_SOURCES = {

@@ -139,6 +139,22 @@ def test_fill(document):
     assert sketches.fem_area(mesh.FemMesh) == pytest.approx(6000.0)
 
 
+def test_gap_is_explained_and_welded(document, output):
+    sketch = sketches.new_sketch(document)
+    sketches.add_polygon(sketch, [(0, 0), (40, 0), (40, 20), (0, 20), (0, 0.1)], closed=False)
+    document.recompute()
+    panel = window.open_panel(sketch)
+    panel.mesh()
+    assert "0.1 apart" in panel.message
+    (chosen,) = window.selected()
+    assert len(chosen[1]) >= 1, "the edges with the free ends are selected"
+    panel.type_length("weldField", "0.2 mm")
+    panel.mesh()
+    (mesh,) = window.planar_meshes(document)
+    assert mesh.Weld.Value == pytest.approx(0.2)
+    assert sketches.fem_area(mesh.FemMesh) == pytest.approx(800.0, rel=1e-2)
+
+
 BAD_SOURCES = {"empty": sketches.empty, "only_open": sketches.only_open, "zero_area": sketches.zero_area}
 
 

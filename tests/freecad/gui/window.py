@@ -96,9 +96,11 @@ class Panel:
         return self.widget("progressBar").isVisible()
 
     def set_size(self, text):
-        """Types into the field Size."""
-        field = self.widget("sizeField").findChild(QtGui.QLineEdit)
-        field.setText(text)
+        self.type_length("sizeField", text)
+
+    def type_length(self, name, text):
+        """Types into a field."""
+        self.widget(name).findChild(QtGui.QLineEdit).setText(text)
         wait(0.1)
 
     def choose(self, name, text):

@@ -84,6 +84,17 @@ PROPERTIES = (
         _NORMAL,
     ),
     (
+        "Weld",
+        "App::PropertyLength",
+        "Mesh",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Ends of curves closer than this become one; 0: the tolerance of the source",
+        ),
+        None,
+        _NORMAL,
+    ),
+    (
         "Triangles",
         "App::PropertyInteger",
         "Result",
@@ -270,6 +281,7 @@ def request_of(obj):
         growth=obj.GrowthRate,
         order=obj.ElementOrder,
         fill=obj.Fill,
+        weld=obj.Weld.Value,
         constraints=tuple((owner, tuple(names)) for owner, names in obj.Constraints),
     )
 
@@ -284,6 +296,7 @@ def apply_request(obj, request):
         "GrowthRate": request.growth,
         "ElementOrder": request.order,
         "Fill": request.fill,
+        "Weld": request.weld,
         "Constraints": [(owner, list(names)) for owner, names in request.constraints],
     }
     current = request_of(obj)
@@ -294,6 +307,7 @@ def apply_request(obj, request):
         "GrowthRate": current.growth == request.growth,
         "ElementOrder": current.order == request.order,
         "Fill": current.fill == request.fill,
+        "Weld": current.weld == request.weld,
         "Constraints": current.constraints == request.constraints,
     }
     for name, value in values.items():

@@ -74,7 +74,8 @@ class PlanarMeshPanel:
         else:
             request = planar_mesh.request_of(self._edited)
             self._meshed = [request]
-        form.sizeField.setProperty("value", FreeCAD.Units.Quantity(request.size, FreeCAD.Units.Length))
+        _set_length(form.sizeField, request.size)
+        _set_length(form.weldField, request.weld)
         form.growthField.setValue(request.growth)
         form.orderField.setCurrentIndex(request.order - 1)
         form.fillField.setCurrentIndex(form.fillField.findData(request.fill))
@@ -135,7 +136,8 @@ class PlanarMeshPanel:
         return MeshRequest(
             source=target.source,
             faces=tuple(target.faces),
-            size=float(self.form.sizeField.property("rawValue")),
+            size=_length(self.form.sizeField),
+            weld=_length(self.form.weldField),
             growth=self.form.growthField.value(),
             order=self.form.orderField.currentIndex() + 1,
             fill=self.form.fillField.itemData(self.form.fillField.currentIndex()),
@@ -321,7 +323,14 @@ class PlanarMeshPanel:
         form.progressBar.setValue(0)
         form.stopButton.setVisible(running)
         form.stopButton.setEnabled(True)
-        for widget in (form.sizeField, form.growthField, form.orderField, form.fillField, form.constraintsBox):
+        for widget in (
+            form.sizeField,
+            form.growthField,
+            form.orderField,
+            form.fillField,
+            form.weldField,
+            form.constraintsBox,
+        ):
             widget.setEnabled(not running)
 
     def _show_message(self, text, kind=None):
@@ -348,6 +357,15 @@ class PlanarMeshPanel:
             lines.append(f"{obj.Source.Label}: {line}" if len(objects) > 1 else line)
             lines += obj.Messages
         self._show_message("\n".join(lines), _INFORMATION)
+
+
+def _set_length(field, millimeters):
+    field.setProperty("value", FreeCAD.Units.Quantity(millimeters, FreeCAD.Units.Length))
+
+
+def _length(field):
+    """In millimeters."""
+    return float(field.property("rawValue"))
 
 
 def _shape_of(source):

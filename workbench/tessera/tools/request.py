@@ -28,6 +28,7 @@ class MeshRequest:
     growth: float = 0.3
     order: int = 1
     fill: str = "Even-odd"  #: a key of FILLS
+    weld: float = 0.0  #: ends of curves closer than this become one, mm; 0: the shape's tolerance
     constraints: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: (object, edge names)
 
     def prepare(self):
@@ -49,6 +50,7 @@ class MeshRequest:
             growth=self.growth,
             order=self.order,
             fill=FILLS[self.fill],
+            weld=None if self.weld == 0.0 else self.weld,
             progress=progress,
             execution=execution,
         )
