@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""The macros that come with Tessera do what they say."""
+
+import csv
+import shutil
+from pathlib import Path
+
+import FreeCAD
+import pytest
+import sketches
+
+from tessera.tools import resources
+
+
+def run(name):
+    """As FreeCAD does it."""
+    path = Path(resources.folder("macros")) / f"{name}.FCMacro"
+    scope = {"__name__": "__main__", "__file__": str(path)}
+    exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), scope)
+    return scope
+
+
+def test_all_macros_are_tested():
+    names = {path.stem for path in Path(resources.folder("macros")).iterdir()}
+    assert names == {"mesh_sketch", "size_study", "plate_in_calculix"}
+
+
+def test_mesh_sketch(document):
+    sketches.plate(document)
+    run("mesh_sketch")
+    (mesh,) = document.findObjects("Fem::FemMeshObject")
+    area = sketches.fem_area(mesh.FemMesh)
+    assert area == pytest.approx(sketches.PLATE_AREA, rel=1e-2)
+    assert len(mesh.FemMesh.getElementNodes(mesh.FemMesh.Faces[0])) == 6
+
+
+def test_mesh_sketch_explains_what_is_wrong(document):
+    sketches.only_open(document)
+    run("mesh_sketch")
+    assert not document.findObjects("Fem::FemMeshObject")
+
+
+def test_size_study(document, tmp_path):
+    sketches.plate(document)
+    document.saveAs(str(tmp_path / "plate.FCStd"))
+    run("size_study")
+    with open(tmp_path / "size_study.csv", newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 5
+    sizes = [float(row["size"]) for row in rows]
+    triangles = [int(row["triangles"]) for row in rows]
+    errors = [float(row["area"]) - sketches.PLATE_AREA for row in rows]
+    assert all(b == pytest.approx(a / 2) for a, b in zip(sizes, sizes[1:]))
+    assert all(3 * a < b < 5 * a for a, b in zip(triangles, triangles[1:]))
+    assert all(0 < b < a / 2.5 for a, b in zip(errors, errors[1:])), "chords converge"
+    assert all(float(row["min_angle_deg"]) > 25.0 for row in rows)
+
+
+def test_plate_in_calculix(tmp_path, monkeypatch):
+    assert shutil.which("ccx"), "CalculiX is not installed"
+    monkeypatch.setenv("TESSERA_MACRO_FOLDER", str(tmp_path))
+    scope = run("plate_in_calculix")
+    assert (tmp_path / "plate.vtu").stat().st_size > 10000
+    whole = scope["STRESS"] * scope["WIDTH"] / scope["YOUNG"]
+    found = scope["stretch"](tmp_path / "plate.dat")
+    # The hole takes 24 of 60 mm, so the plate gives way more than without, and less than if a slot
+    # of that width went all along it.
+    assert 1.05 * whole < found < whole * 60 / (60 - 24)
+
+
+@pytest.mark.parametrize("name", ["mesh_sketch", "size_study"])
+def test_no_document(name):
+    for open_document in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(open_document)
+    run(name)
+    assert not FreeCAD.listDocuments()
