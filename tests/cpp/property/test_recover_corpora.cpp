@@ -6,6 +6,7 @@
 #include "arrangement_counts.h"
 #include "corpora.h"
 #include "recover/generators.h"
+#include "recover/recovery_case.h"
 #include "same_mesh.h"
 
 #include <cmath>

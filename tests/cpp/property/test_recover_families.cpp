@@ -4,6 +4,7 @@
 // strategies, and the same for exact copies.
 
 #include "recover/generators.h"
+#include "recover/recovery_case.h"
 #include "same_mesh.h"
 
 #include <array>

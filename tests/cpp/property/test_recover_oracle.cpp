@@ -5,6 +5,7 @@
 
 #include "exact_arrangement.h"
 #include "recover/generators.h"
+#include "recover/recovery_case.h"
 #include "same_mesh.h"
 
 #include <functional>

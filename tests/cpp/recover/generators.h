@@ -3,7 +3,7 @@
 
 // Families of raw PSLGs, from harmless to ill-conditioned. Deterministic in their seed.
 
-#include "recovery_case.h"
+#include "raw_pslg.h"
 
 #include <cmath>
 #include <cstddef>

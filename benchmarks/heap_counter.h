@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Replaces operator new and delete of the one executable that includes it, to measure the heap.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <malloc.h>
+#include <new>
+
+/// Bytes on the heap.
+class HeapCounter
+{
+public:
+    /// Starts a measurement of the peak and returns what is on the heap now.
+    static std::size_t restart()
+    {
+        peak_ = now_;
+        return now_;
+    }
+    static std::size_t peak() { return peak_; }
+
+    static void add(void* p)
+    {
+        now_ += malloc_usable_size(p);
+        peak_ = std::max(peak_, now_);
+    }
+    static void remove(void* p) { now_ -= p != nullptr ? malloc_usable_size(p) : 0; }
+
+private:
+    static inline std::size_t now_ = 0;
+    static inline std::size_t peak_ = 0;
+};
+
+void* operator new(std::size_t size)
+{
+    void* p = std::malloc(size);
+    if (p == nullptr) {
+        throw std::bad_alloc();
+    }
+    HeapCounter::add(p);
+    return p;
+}
+
+void operator delete(void* p) noexcept
+{
+    HeapCounter::remove(p);
+    std::free(p);
+}
+
+void operator delete(void* p, std::size_t) noexcept
+{
+    operator delete(p);
+}
