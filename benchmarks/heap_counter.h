@@ -53,3 +53,24 @@ void operator delete(void* p, std::size_t) noexcept
 {
     operator delete(p);
 }
+
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+    const auto unit = static_cast<std::size_t>(alignment);
+    void* p = std::aligned_alloc(unit, (size + unit - 1) / unit * unit);
+    if (p == nullptr) {
+        throw std::bad_alloc();
+    }
+    HeapCounter::add(p);
+    return p;
+}
+
+void operator delete(void* p, std::align_val_t) noexcept
+{
+    operator delete(p);
+}
+
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+{
+    operator delete(p);
+}

@@ -33,45 +33,28 @@ struct Approximation
     double error;
 };
 
-constexpr double kRelative = 0x1p-99; ///< above the relative error of one operation below
+/// Covers every step below: each drops or rounds a few terms of at most 2^-104 of its operands.
+constexpr double kRelative = 0x1p-99;
 
-TwoPart multiply(TwoPart a, TwoPart b)
-{
-    const TwoPart product = twoProduct(a.head, b.head);
-    return fastTwoSum(product.head, product.tail + (a.head * b.tail + a.tail * b.head));
-}
-
-TwoPart add(TwoPart a, TwoPart b)
-{
-    const TwoPart heads = twoSum(a.head, b.head);
-    const TwoPart tails = twoSum(a.tail, b.tail);
-    const TwoPart sum = fastTwoSum(heads.head, heads.tail + tails.head);
-    return fastTwoSum(sum.head, sum.tail + tails.tail);
-}
-
-TwoPart negate(TwoPart a)
-{
-    return {-a.head, -a.tail};
-}
-
-/// a b - c d; error: bound of what is lost.
+/// a b - c d, |tail| <= ulp(head) / 2.
 TwoPart crossProduct(TwoPart a, TwoPart b, TwoPart c, TwoPart d, double& error)
 {
-    const TwoPart left = multiply(a, b);
-    const TwoPart right = multiply(c, d);
+    const TwoPart left = twoProduct(a.head, b.head);
+    const TwoPart right = twoProduct(c.head, d.head);
+    const TwoPart heads = twoDifference(left.head, right.head);
+    const double mixed
+        = (a.head * b.tail + a.tail * b.head) - (c.head * d.tail + c.tail * d.head);
     error = kRelative * (std::fabs(left.head) + std::fabs(right.head));
-    return add(left, negate(right));
+    return twoSum(heads.head, heads.tail + ((left.tail - right.tail) + mixed));
 }
 
-/// Quotient, relative error below kRelative.
+/// a / b: the quotient of the heads and one correction by what that leaves.
 TwoPart divide(TwoPart a, TwoPart b)
 {
-    const double q1 = a.head / b.head;
-    const TwoPart r1 = add(a, negate(multiply({q1, 0.0}, b)));
-    const double q2 = r1.head / b.head;
-    const TwoPart r2 = add(r1, negate(multiply({q2, 0.0}, b)));
-    const TwoPart q = fastTwoSum(q1, q2);
-    return add(q, {r2.head / b.head, 0.0});
+    const double quotient = a.head / b.head;
+    const TwoPart product = twoProduct(quotient, b.head);
+    const double rest = ((a.head - product.head) - product.tail) + (a.tail - quotient * b.tail);
+    return fastTwoSum(quotient, rest / b.head);
 }
 
 /// The four points with coordinates in the working range, and what crossings need of them.
@@ -156,8 +139,10 @@ bool LinePair::crossExactly(Crossing& result) const
 
 Approximation pointOnLine(double a, TwoPart u, TwoPart t, double tError)
 {
-    const TwoPart step = multiply(u, t);
-    const TwoPart sum = add({a, 0.0}, step);
+    const TwoPart step = twoProduct(u.head, t.head);
+    const TwoPart heads = twoSum(a, step.head);
+    const double tails = heads.tail + (step.tail + (u.head * t.tail + u.tail * t.head));
+    const TwoPart sum = twoSum(heads.head, tails);
     const double error = 1.01 * std::fabs(u.head) * tError
         + kRelative * (std::fabs(a) + 2.0 * std::fabs(step.head));
     return {sum.head, sum.tail, error};
@@ -293,11 +278,10 @@ int compareCrossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Axis axis, double value)
     Approximation y;
     lines.approximate(x, y);
     const Approximation& chosen = axis == Axis::X ? x : y;
-    const TwoPart difference = add({chosen.head, chosen.tail}, {-value, 0.0});
-    const double bound = chosen.error
-        + 2.0 * kRelative * (std::fabs(chosen.head) + std::fabs(value));
-    if (std::fabs(difference.head) > 1.01 * bound) {
-        return difference.head > 0.0 ? 1 : -1;
+    // Two doubles either are equal or differ by more than rounding can hide in the sum.
+    const double difference = (chosen.head - value) + chosen.tail;
+    if (std::fabs(difference) > 0x1p-50 * std::fabs(chosen.tail) + 1.01 * chosen.error) {
+        return difference > 0.0 ? 1 : -1;
     }
     return lines.compareExactly(axis, value);
 }

@@ -38,7 +38,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <numeric>
 
 namespace tessera
 {
@@ -66,7 +66,12 @@ bool inBox(Vec2 a, Vec2 b, Vec2 p)
         && p.y <= std::max(a.y, b.y);
 }
 
-/// Brings all coordinates below 1 or thereabouts.
+/// With all coordinates at most 1, a true point of a line moves by at most 2^-54 in x and in y when
+/// rounded. So the cross product d x e of three points of one line is at most 2^-52 (|d.x| + |d.y|)
+/// afterwards; computing it adds less than that.
+constexpr double kFlat = 0x1p-49;
+
+/// The factor for that.
 double unscalingFactor(const Triangulation& mesh)
 {
     double greatest = 0.0;
@@ -205,14 +210,11 @@ bool BoundaryRecovery::isAhead(std::uint32_t s, std::uint32_t from, std::uint32_
 
 /// Whether the triangle of the three vertices is so flat that rounded points of one line could make
 /// it. No decision on its own.
-///
-/// A true point of the line moves by at most 2^-53 of the greatest coordinate in x and in y, so that
-/// cross(d, e) is at most 4 such units times |d.x| + |d.y|; computing it adds about as much.
 bool BoundaryRecovery::isFlat(std::uint32_t x, std::uint32_t y, std::uint32_t z) const
 {
     const Vec2 d = unscale_ * (mesh_.points[y] - mesh_.points[x]);
     const Vec2 e = unscale_ * (mesh_.points[z] - mesh_.points[x]);
-    return std::fabs(tessera::cross(d, e)) <= 0x1p-49 * (std::fabs(d.x) + std::fabs(d.y));
+    return std::fabs(tessera::cross(d, e)) <= kFlat * (std::fabs(d.x) + std::fabs(d.y));
 }
 
 /// Whether the constrained edge belongs to a segment on the same line: then this one goes along.
@@ -316,7 +318,9 @@ void BoundaryRecovery::leadThrough(std::uint32_t vertex)
 void BoundaryRecovery::countCrossing(std::uint32_t vertex, Vec2 residual)
 {
     ++report_.crossings;
-    report_.maxDisplacement = std::max(report_.maxDisplacement, length(residual));
+    if (std::fabs(residual.x) + std::fabs(residual.y) > report_.maxDisplacement) {
+        report_.maxDisplacement = std::max(report_.maxDisplacement, length(residual));
+    }
     if (strategy_ == RecoveryStrategy::Steiner) {
         countSteinerPoint(vertex);
     }
@@ -329,7 +333,7 @@ bool BoundaryRecovery::pickUpTouches(std::uint32_t x, std::uint32_t y)
     if (isInput(x) && isInput(y)) {
         return true;
     }
-    const HalfEdge edge = mesh_.findEdge(x, y);
+    const HalfEdge edge = edgeBetween(mesh_, x, y);
     for (const std::uint32_t z : {mesh_.apex(edge), mesh_.apex(mesh_.twin(edge))}) {
         if (z != Topology::kInfinite && isInput(z) && isFlat(x, y, z) && touches(x, y, z)) {
             leadThrough(z);
@@ -363,12 +367,21 @@ bool BoundaryRecovery::touches(std::uint32_t x, std::uint32_t y, std::uint32_t z
 bool BoundaryRecovery::sidesAreTrue() const
 {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-        for (std::uint32_t i = 0; i < 3 && mesh_.isFinite(t); ++i) {
-            const HalfEdge edge = Topology::halfEdge(t, i);
-            if (mesh_.isConstrained(edge)
-                && isFlat(mesh_.origin(edge), mesh_.destination(edge), mesh_.apex(edge))
-                && !apexIsTrue(edge)) {
-                return false;
+        if (!mesh_.isFinite(t)) {
+            continue;
+        }
+        const auto& v = mesh_.triangles[t].v;
+        const Vec2 d = unscale_ * (mesh_.points[v[1]] - mesh_.points[v[0]]);
+        const Vec2 e = unscale_ * (mesh_.points[v[2]] - mesh_.points[v[0]]);
+        const double reach = std::max({std::fabs(d.x) + std::fabs(d.y),
+                                       std::fabs(e.x) + std::fabs(e.y),
+                                       std::fabs(e.x - d.x) + std::fabs(e.y - d.y)});
+        if (std::fabs(tessera::cross(d, e)) <= kFlat * reach) { // seen from any corner
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const HalfEdge edge = Topology::halfEdge(t, i);
+                if (mesh_.isConstrained(edge) && !apexIsTrue(edge)) {
+                    return false;
+                }
             }
         }
     }
@@ -402,7 +415,12 @@ bool BoundaryRecovery::apexIsTrue(HalfEdge edge) const
 void BoundaryRecovery::closeGaps()
 {
     std::vector<std::uint32_t> gaps = edit_.takeFreeVertices();
+    if (gaps.empty()) {
+        return;
+    }
     std::sort(gaps.begin(), gaps.end());
+    std::vector<std::uint32_t> newName(mesh_.points.size());
+    std::iota(newName.begin(), newName.end(), 0U);
     std::size_t next = 0;
     while (next < gaps.size()) {
         const auto last = static_cast<std::uint32_t>(mesh_.points.size() - 1);
@@ -416,11 +434,12 @@ void BoundaryRecovery::closeGaps()
             });
             mesh_.points[gap] = mesh_.points[last];
             mesh_.incident[gap] = mesh_.incident[last];
-            chains_.renameVertex(last, gap);
+            newName[last] = gap;
         }
         mesh_.points.pop_back();
         mesh_.incident.pop_back();
     }
+    chains_.renameVertices(newName, mesh_.points.size());
 }
 
 } // namespace tessera

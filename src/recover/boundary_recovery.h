@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tessera
@@ -28,7 +29,7 @@ public:
     /// all segments are in it and it has further vertices. Throws Error if cancelled.
     bool run(Execution& execution);
 
-    const Chains& chains() const { return chains_; }
+    Chains takeChains() { return std::move(chains_); }
     /// Counts crossings, Steiner points and the displacement.
     const RecoveryReport& report() const { return report_; }
 

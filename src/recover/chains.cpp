@@ -1,63 +1,85 @@
 // SPDX-License-Identifier: MIT
 #include "recover/chains.h"
 
+#include <algorithm>
+
 namespace tessera
 {
 
-std::uint32_t Chains::addNode(std::uint32_t segment, std::uint32_t vertex, std::uint32_t previous,
-                              std::uint32_t next)
+std::uint32_t Chains::addNode(std::uint32_t vertex, const Links& links)
 {
-    if (vertex >= atVertex_.size()) {
-        atVertex_.resize(vertex + 1, kNone);
+    while (vertex >= cells_.size()) {
+        cells_.emplace_back();
     }
-    const auto n = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({vertex, segment, previous, next, atVertex_[vertex]});
-    atVertex_[vertex] = n;
+    ++nodeCount_;
+    Cell& cell = cells_[vertex];
+    const std::uint32_t k = cell.count++;
+    if (k < kNear) {
+        cell.near[k] = links;
+        return kNear * vertex + k;
+    }
+    const std::uint32_t n = kFarBit | static_cast<std::uint32_t>(far_.size());
+    far_.push_back({links, vertex, cell.firstFar});
+    cell.firstFar = n;
     return n;
 }
 
 void Chains::append(std::uint32_t segment, std::uint32_t vertex)
 {
     const std::uint32_t before = last_[segment];
-    const std::uint32_t n = addNode(segment, vertex, before, kNone);
+    const std::uint32_t n = addNode(vertex, {segment, before, kNone});
     if (before == kNone) {
         first_[segment] = n;
     }
     else {
-        nodes_[before].next = n;
+        links(before).next = n;
     }
     last_[segment] = n;
 }
 
 void Chains::insertAfter(std::uint32_t before, std::uint32_t vertex)
 {
-    const std::uint32_t after = nodes_[before].next;
-    const std::uint32_t n = addNode(nodes_[before].segment, vertex, before, after);
-    nodes_[before].next = n;
-    nodes_[after].previous = n;
+    const Links l = links(before);
+    const std::uint32_t n = addNode(vertex, {l.segment, before, l.next});
+    links(before).next = n;
+    links(l.next).previous = n;
 }
 
-bool Chains::shorterList(std::uint32_t u, std::uint32_t v) const
+std::vector<std::uint32_t> Chains::lengths() const
 {
-    std::uint32_t i = head(u);
-    std::uint32_t j = head(v);
-    while (i != kNone && j != kNone) {
-        i = nodes_[i].nextAtVertex;
-        j = nodes_[j].nextAtVertex;
+    std::vector<std::uint32_t> result(first_.size(), 0);
+    for (std::uint32_t v = 0; v < cells_.size(); ++v) {
+        forEachAt(v, [&](std::uint32_t, std::uint32_t segment, std::uint32_t, std::uint32_t) {
+            ++result[segment];
+        });
     }
-    return i == kNone;
+    return result;
 }
 
-void Chains::renameVertex(std::uint32_t from, std::uint32_t to)
+void Chains::renameVertices(std::span<const std::uint32_t> newName, std::size_t vertexCount)
 {
-    if (to >= atVertex_.size()) {
-        atVertex_.resize(to + 1, kNone);
+    const auto renamed = [&](std::uint32_t n) {
+        return n == kNone || isFar(n) ? n : kNear * newName[n >> 1] + (n & 1U);
+    };
+    const auto rename = [&](Links& l) {
+        l.previous = renamed(l.previous);
+        l.next = renamed(l.next);
+    };
+    std::vector<Cell> cells(vertexCount);
+    for (std::uint32_t v = 0; v < cells_.size(); ++v) {
+        Cell& cell = cells_[v];
+        if (cell.count > 0) {
+            std::for_each_n(cell.near, std::min(cell.count, kNear), rename);
+            cells[newName[v]] = cell;
+        }
     }
-    atVertex_[to] = head(from);
-    atVertex_[from] = kNone;
-    for (std::uint32_t n = atVertex_[to]; n != kNone; n = nodes_[n].nextAtVertex) {
-        nodes_[n].vertex = to;
+    cells_ = std::move(cells);
+    for (FarNode& node : far_) {
+        rename(node.links);
+        node.vertex = newName[node.vertex];
     }
+    std::transform(first_.begin(), first_.end(), first_.begin(), renamed);
+    std::transform(last_.begin(), last_.end(), last_.begin(), renamed);
 }
 
 } // namespace tessera

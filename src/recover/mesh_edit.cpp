@@ -53,17 +53,33 @@ Departure depart(const Triangulation& mesh, std::uint32_t from, std::uint32_t to
     return {Departure::Kind::None, Topology::kDead};
 }
 
+HalfEdge edgeBetween(const Triangulation& mesh, std::uint32_t x, std::uint32_t y)
+{
+    const HalfEdge firstX = mesh.incident[x];
+    const HalfEdge firstY = mesh.incident[y];
+    HalfEdge i = firstX;
+    HalfEdge j = firstY;
+    do {
+        if (mesh.destination(i) == y) {
+            return i;
+        }
+        if (mesh.destination(j) == x) {
+            return mesh.twin(j);
+        }
+        i = mesh.nextAround(i);
+        j = mesh.prevAround(j);
+    } while (i != firstX && j != firstY);
+    return Topology::kDead;
+}
+
 bool MeshEdit::constrain(std::uint32_t x, std::uint32_t y)
 {
-    const Departure departure = depart(mesh_, x, y);
-    if (departure.kind == Departure::Kind::Along) {
-        if (mesh_.destination(departure.edge) != y) {
-            return false;
-        }
-        mesh_.setConstrained(departure.edge, true);
+    if (const HalfEdge edge = edgeBetween(mesh_, x, y); edge != Topology::kDead) {
+        mesh_.setConstrained(edge, true);
         return true;
     }
-    if (departure.kind == Departure::Kind::None || !walk(x, y, departure.edge)) {
+    const Departure departure = depart(mesh_, x, y);
+    if (departure.kind != Departure::Kind::Across || !walk(x, y, departure.edge)) {
         return false;
     }
     for (const std::uint32_t t : slots_) {

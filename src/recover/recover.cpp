@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 namespace tessera
 {
@@ -38,7 +39,7 @@ void checkEnds(std::span<const ConstraintEnds> constraints, std::size_t vertexCo
 }
 
 /// All vertices lie on one line: each segment runs through those between its ends.
-VertexChains chainsOnLine(const Triangulation& mesh, std::span<const Segment> segments)
+Chains chainsOnLine(const Triangulation& mesh, std::span<const Segment> segments)
 {
     std::vector<std::uint32_t> order(mesh.vertexCount());
     std::iota(order.begin(), order.end(), 1U);
@@ -51,14 +52,15 @@ VertexChains chainsOnLine(const Triangulation& mesh, std::span<const Segment> se
     for (std::size_t i = 0; i < order.size(); ++i) {
         rank[order[i]] = i;
     }
-    VertexChains chains;
-    for (const Segment& s : segments) {
-        std::size_t i = rank[s.a];
-        for (; i != rank[s.b]; i += rank[s.b] > rank[s.a] ? 1U : std::size_t(-1)) {
-            chains.vertices.push_back(order[i]);
+    Chains chains(segments.size(), mesh.points.size());
+    for (std::uint32_t s = 0; s < segments.size(); ++s) {
+        const std::size_t last = rank[segments[s].b];
+        std::size_t i = rank[segments[s].a];
+        while (i != last) {
+            chains.append(s, order[i]);
+            i = i < last ? i + 1 : i - 1;
         }
-        chains.vertices.push_back(s.b);
-        chains.closeChain();
+        chains.append(s, order[last]);
     }
     return chains;
 }
@@ -116,22 +118,24 @@ std::vector<std::uint32_t> moveInputFirst(Triangulation& mesh,
 }
 
 /// The pieces of all chains, as constraints.
-std::vector<ConstraintEnds> piecesOf(const VertexChains& chains)
+std::vector<ConstraintEnds> piecesOf(const Chains& chains)
 {
     std::vector<ConstraintEnds> pieces;
-    for (std::uint32_t s = 0; s + 1 < chains.start.size(); ++s) {
-        const auto chain = chains.of(s);
-        for (std::size_t i = 1; i < chain.size(); ++i) {
-            pieces.push_back({chain[i - 1], chain[i]});
-        }
+    for (std::uint32_t s = 0; s < chains.segmentCount(); ++s) {
+        std::uint32_t before = Topology::kInfinite;
+        chains.forEachVertex(s, [&](std::uint32_t v) {
+            if (before != Topology::kInfinite) {
+                pieces.push_back({before, v});
+            }
+            before = v;
+        });
     }
     return pieces;
 }
 
 /// Starts anew from the input points of the result's triangulation. Returns the chains.
-VertexChains recoverSnapped(RecoveryResult& result, std::span<const Segment> segments,
-                            RecoveryStrategy strategy, Execution& execution,
-                            RecoveryObserver* observer)
+Chains recoverSnapped(RecoveryResult& result, std::span<const Segment> segments,
+                      RecoveryStrategy strategy, Execution& execution, RecoveryObserver* observer)
 {
     const std::size_t inputSize = result.vertexMap.size();
     SnapResult snapped = snapRound(std::span(result.triangulation.points).first(inputSize),
@@ -144,14 +148,14 @@ VertexChains recoverSnapped(RecoveryResult& result, std::span<const Segment> seg
     for (std::size_t v = 1; v < inputSize; ++v) {
         result.vertexMap[v] = vertexOfPoint[snapped.pointOf[v]];
     }
-    for (std::uint32_t& v : snapped.chains.vertices) {
-        v = vertexOfPoint[v];
-    }
+    snapped.chains.renameVertices(vertexOfPoint, mesh.points.size());
     result.report = {};
     if (!mesh.triangles.empty()) {
         const SegmentTable pieces(piecesOf(snapped.chains), mesh.points.size());
         BoundaryRecovery recovery(mesh, pieces.segments, strategy, observer);
-        recovery.run(execution);
+        if (!recovery.run(execution)) {
+            throw std::logic_error("Snap rounding: pieces cross.");
+        }
         result.report = recovery.report();
     }
     result.firstCrossing = static_cast<std::uint32_t>(snapped.inputCount + 1);
@@ -183,22 +187,21 @@ RecoveryResult recoverBoundaries(Triangulation triangulation,
     std::iota(result.vertexMap.begin(), result.vertexMap.end(), 0U);
 
     const SegmentTable table(constraints, mesh.points.size());
-    VertexChains chains;
+    Chains chains;
     if (mesh.triangles.empty()) {
         chains = chainsOnLine(mesh, table.segments);
     }
     else {
         BoundaryRecovery recovery(mesh, table.segments, strategy, observer);
         if (recovery.run(execution)) {
-            chains = VertexChains(recovery.chains(), table.segments.size());
+            chains = recovery.takeChains();
             result.report = recovery.report();
         }
         else {
             chains = recoverSnapped(result, table.segments, strategy, execution, observer);
         }
     }
-    result.constraints
-        = makeConstraintMap(constraints, result.vertexMap, table, chains, mesh.points.size());
+    result.constraints = makeConstraintMap(constraints, result.vertexMap, table, chains);
     countIncidences(result);
     if (observer != nullptr) {
         observer->recovered(result);

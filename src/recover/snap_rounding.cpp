@@ -323,7 +323,7 @@ private:
                        through_.end());
         for (const Through& piece : through_) {
             if (!chains_.used(piece.u, piece.v)) {
-                edit_.release(mesh_.findEdge(piece.u, piece.v));
+                edit_.release(edgeBetween(mesh_, piece.u, piece.v));
             }
         }
         edit_.insert(center, locate(mesh_, center, hint));
@@ -354,7 +354,7 @@ private:
     void constrain(std::uint32_t u, std::uint32_t v)
     {
         if (!edit_.constrain(u, v)) {
-            throw std::logic_error("snap rounding: a piece is blocked");
+            throw std::logic_error("Snap rounding: a piece is blocked.");
         }
     }
 
@@ -382,10 +382,8 @@ private:
         for (std::size_t i = 1; i < input_.size(); ++i) {
             result.pointOf.push_back(index[vertexOfInput_[i]]);
         }
-        result.chains = VertexChains(chains_, segments_.size());
-        for (std::uint32_t& v : result.chains.vertices) {
-            v = index[v];
-        }
+        chains_.renameVertices(index, result.points.size());
+        result.chains = std::move(chains_);
         return result;
     }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/execution.h"
+#include "base/vec2.h"
 #include "recover/chains.h"
-#include "recover/constraint_map.h"
 
 #include <cstdint>
 #include <span>
@@ -18,7 +18,7 @@ struct SnapResult
     std::vector<Vec2> points;             ///< different pixel centers, those of input points first
     std::size_t inputCount = 0;           ///< how many of the points are those of input points
     std::vector<std::uint32_t> pointOf;   ///< by input point: its index in points
-    VertexChains chains;                  ///< by segment: indices in points, from its a to its b
+    Chains chains;                        ///< its vertices are indices in points
     double pixel = 0.0;                   ///< side of the grid's squares
     double maxDisplacement = 0.0;         ///< of an input point or a crossing
 };

@@ -106,7 +106,7 @@ bool BoundaryRecovery::removeSteinerPoints(std::uint32_t s)
 
 void BoundaryRecovery::constrainIfThere(std::uint32_t x, std::uint32_t y)
 {
-    const HalfEdge edge = mesh_.findEdge(x, y);
+    const HalfEdge edge = edgeBetween(mesh_, x, y);
     if (edge != Topology::kDead) {
         mesh_.setConstrained(edge, true);
     }
