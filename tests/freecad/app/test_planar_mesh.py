@@ -3,6 +3,7 @@
 
 import math
 import re
+import sys
 
 import FreeCAD
 import Part
@@ -10,6 +11,7 @@ import pytest
 import sketches
 from FreeCAD import Vector
 
+import tessera
 from tessera.objects import planar_mesh
 from tessera.tools.request import MeshRequest, default_size
 
@@ -292,3 +294,17 @@ def test_without_a_source(document):
     document.recompute()
     assert not obj.isValid()
     assert "Source" in obj.getStatusString()
+
+
+def test_without_the_compiled_module(document, monkeypatch):
+    """The workbench starts, files open, and the message says what to do."""
+    for name in [n for n in sys.modules if n.startswith("tessera.")]:
+        if name.split(".")[1] in ("meshing", "native", "result", "sources", "shapes", "_tessera"):
+            monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "tessera._tessera", None)
+    for name in ("mesh", "Execution", "_tessera", "native", "sources", "meshing"):
+        monkeypatch.delitem(tessera.__dict__, name, raising=False)
+    obj = planar_mesh.make_planar_mesh(sketches.plate(document))
+    document.recompute()
+    assert not obj.isValid()
+    assert "tools/build" in obj.getStatusString()
