@@ -20,7 +20,7 @@ try:
     square = Part.makePolygon([FreeCAD.Vector(*corner) for corner in corners])
     mesh = tessera.mesh(square, size=1.0)
     fem = mesh.to_fem()
-    print("area", mesh.report["area"], "faces", fem.FaceCount == len(mesh.triangles))
+    print(f"area {mesh.report['area']:.9f} faces {fem.FaceCount == len(mesh.triangles)}")
     print("from", os.path.dirname(tessera.__file__))
     status = 0
 except BaseException:
@@ -52,7 +52,7 @@ def test_freecad_meshes_with_the_installed_addon(user_folder):
         text=True,
     )
     assert run.returncode == 0, run.stdout + run.stderr
-    assert "area 16.0 faces True" in run.stdout
+    assert "area 16.000000000 faces True" in run.stdout
     assert f"from {user_folder}/Mod/Tessera/" in run.stdout
 
 
