@@ -21,7 +21,8 @@ struct EdgeCurve
 };
 
 /// Also finds the curve of an edge that has only a curve on a plane. Trimmed curves are replaced by
-/// what they trim, Bezier curves by the same B-spline. Throws Standard_Failure on data that OpenCASCADE cannot use.
+/// what they trim, Bezier curves by the same B-spline. Throws Standard_Failure on data that
+/// OpenCASCADE cannot use.
 EdgeCurve curveOf(const TopoDS_Edge& edge);
 
 /// Points that show how far the edge goes: its ends, and between them enough to see every bend of

@@ -48,8 +48,8 @@ private:
 };
 
 /// A piece of an OpenCASCADE curve, seen in a plane; evaluated by OpenCASCADE itself, so points lie
-/// on the CAD curve to rounding. Works on Geom_Curve rather than on an adaptor because adaptors keep
-/// a cache that threads may not share.
+/// on the CAD curve to rounding. Works on Geom_Curve rather than on an adaptor because adaptors
+/// keep a cache that threads may not share.
 class OcctCurve final: public Curve
 {
 public:
@@ -83,9 +83,9 @@ private:
     std::vector<SpanBound> spans_; ///< of a B-spline that is not rational; ascending
 };
 
-/// The curve of a piece of an edge in a plane, from its last parameter to its first if reversed: null
-/// for a straight one, an EllipseArc for circles and ellipses (so that equal supporting curves can be
-/// recognized), else an OcctCurve.
+/// The curve of a piece of an edge in a plane, from its last parameter to its first if reversed:
+/// null for a straight one, an EllipseArc for circles and ellipses (so that equal supporting curves
+/// can be recognized), else an OcctCurve.
 std::shared_ptr<const Curve> makeCurve(const EdgeCurve& piece, bool reversed,
                                        const PlaneProjection& projection);
 

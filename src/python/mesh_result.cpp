@@ -48,7 +48,15 @@ const Mesh& meshOf(const py::object& self)
 
 const char* kindName(GroupKind kind)
 {
-    return kind == GroupKind::Triangles ? "triangles" : kind == GroupKind::Edges ? "edges" : "nodes";
+    switch (kind) {
+        case GroupKind::Triangles:
+            return "triangles";
+        case GroupKind::Edges:
+            return "edges";
+        case GroupKind::Nodes:
+            return "nodes";
+    }
+    return "";
 }
 
 py::list groupsOf(const py::object& self)

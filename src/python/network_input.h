@@ -15,7 +15,8 @@
 namespace tessera::python
 {
 
-using Coordinates = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+using Coordinates
+    = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 using Indices
     = pybind11::array_t<std::int64_t, pybind11::array::c_style | pybind11::array::forcecast>;
 /// (number of the edge or segment, role).
@@ -41,8 +42,8 @@ public:
     /// All shapes of the run at once, because they share one plane: the global x-y plane if flat,
     /// else their own. Raises Python errors.
     void addShapes(const std::vector<Shape>& shapes, bool flat);
-    /// points (n, 2), segments (m, 2) of indices from 0, markers (m) or empty; roles by segment from
-    /// 0. One operand whose roles follow from how the segments connect. Raises Python errors.
+    /// points (n, 2), segments (m, 2) of indices from 0, markers (m) or empty; roles by segment
+    /// from 0. One operand whose roles follow from how the segments connect. Raises Python errors.
     void addSegments(const Coordinates& points, const Indices& segments, const Indices& markers,
                      const std::string& name, const Roles& roles);
     /// Rings (n, 2), outer first; a last point equal to the first is left out. One operand with

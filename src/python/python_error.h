@@ -21,7 +21,7 @@ struct PlaceName
     std::string curve;   ///< name of the curve's edge group; empty: none
     std::string element; ///< "Edge7", "Geometry3", "Segment12"; empty: none
     std::int64_t source = -1;
-    std::optional<std::array<double, 3>> point {}; ///< in space, if not that of the plane's position
+    std::optional<std::array<double, 3>> point {}; ///< in space, if not in the plane
 };
 
 /// Raises the class of tessera.errors that belongs to the error's kind, with its places; names goes

@@ -229,7 +229,6 @@ def test_missing_module_says_how_to_build(tmp_path):
         "try:\n    tessera.mesh([(0, 0), (1, 0), (0, 1)])\n"
         "except ImportError as error:\n    print(error)\n"
     )
-    result = subprocess.run(
-        [sys.executable, "-c", code], cwd=tmp_path, env={}, capture_output=True, text=True, check=True
-    )
-    assert "tools/build" in result.stdout and str(package) in result.stdout
+    command = [sys.executable, "-c", code]
+    printed = subprocess.run(command, cwd=tmp_path, env={}, stdout=subprocess.PIPE, check=True)
+    assert b"tools/build" in printed.stdout and bytes(package) in printed.stdout

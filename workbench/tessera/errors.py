@@ -11,7 +11,7 @@ class Place(NamedTuple):
     position: Tuple[float, float]  #: in the plane of the mesh
     point: Tuple[float, float, float]  #: the same in space
     curve: Optional[str] = None  #: name of the curve, as its edge group is called
-    element: Optional[str] = None  #: "Edge7" of a shape, "Geometry3" of a sketch, "Segment5" of arrays
+    element: Optional[str] = None  #: "Edge7", "Geometry3" of a sketch, "Segment5"
     source: Optional[int] = None  #: index of the source that the element belongs to
 
 

@@ -53,8 +53,8 @@ def _check_numbers(mesh, fem):
         ]
     if not good:
         raise Error(
-            f"FreeCAD read {fem.NodeCount} nodes and {fem.FaceCount} triangles instead of {nodes} and "
-            f"{triangles}, or numbered them differently; report this with your FreeCAD's version."
+            f"FreeCAD read {fem.NodeCount} nodes and {fem.FaceCount} triangles instead of {nodes} "
+            f"and {triangles}, or numbered them differently; report this with your version of it."
         )
 
 

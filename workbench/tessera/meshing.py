@@ -52,7 +52,8 @@ def mesh(
                   (m, 2) of indices from 0; a polygon (n, 2), or a list of its outline and holes; or
                   a list of any one kind: each item is one operand, and what any of them covers is
                   meshed; or what tessera.sources.prepare() made of these, for a run on another
-                  thread that must not look at the document. Lengths in the source's unit (FreeCAD: mm).
+                  thread that must not look at the document. Lengths in the source's unit (FreeCAD:
+                  mm).
     size          target edge length, > 0; None: diagonal of the bounding box / 40.
     min_size      nowhere smaller, > 0; None: no bound.
     growth        greatest change of the edge length per length, 0 < growth <= 1.

@@ -90,7 +90,7 @@ class Mesh:
         return {key: self.report[key] for key in _QUALITY_KEYS}
 
     def triangle_quality(self):
-        """(m,) float64: 4 sqrt(3) area / sum of squared edges of each triangle; 1 is equilateral."""
+        """(m,) float64: 4 sqrt(3) area / sum of squared edges of each triangle; 1: equilateral."""
         a, b, c = (self.nodes[self.triangles[:, i]] for i in range(3))
         u, v, w = b - a, c - a, c - b
         squares = (u * u + v * v + w * w).sum(axis=1)

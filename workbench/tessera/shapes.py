@@ -103,7 +103,8 @@ def make_source(item, construction):
 
 def _from_shape(owner, label, shape):
     if shape.isNull():
-        raise InvalidInputError(f"{label or 'The shape'} is empty; choose a sketch or a planar face.")
+        name = label or "The shape"
+        raise InvalidInputError(f"{name} is empty; choose a sketch or a planar face.")
     source = CadSource(owner, label, shape)
     source.elements = [f"Edge{i + 1}" for i in range(len(shape.Edges))]
     return source
@@ -207,6 +208,10 @@ def _nearest(signature, candidates, tolerance):
     return best if distance[best] <= tolerance else None
 
 
+def _tolerance(sketch):
+    return 1e-7 * (1.0 + sketch.Shape.BoundBox.DiagonalLength)
+
+
 def _sketch_signatures(sketch):
     indices = []
     signatures = []
@@ -228,9 +233,7 @@ def geometry_of_edge(sketch, name):
     if not 1 <= number <= len(edges):
         return None
     indices, signatures = _sketch_signatures(sketch)
-    found = _nearest(
-        _signature(edges[number - 1]), signatures, 1e-7 * (1.0 + sketch.Shape.BoundBox.DiagonalLength)
-    )
+    found = _nearest(_signature(edges[number - 1]), signatures, _tolerance(sketch))
     return None if found is None else indices[found]
 
 
@@ -241,9 +244,5 @@ def edge_of_geometry(sketch, index):
     if index not in indices:
         return None
     edges = [_signature(edge) for edge in sketch.Shape.Edges]
-    found = _nearest(
-        signatures[indices.index(index)],
-        edges,
-        1e-7 * (1.0 + sketch.Shape.BoundBox.DiagonalLength),
-    )
+    found = _nearest(signatures[indices.index(index)], edges, _tolerance(sketch))
     return None if found is None else f"Edge{found + 1}"

@@ -103,8 +103,8 @@ def _prepare_arrays(items, constraint, boundary):
     for element in constraint + boundary:
         if not _is_array_element(element, items):
             raise InvalidOptionError(
-                f"There is nothing called {element!r} in the source; polygons are numbered from 0 or "
-                "called 'Polygon1', 'Polygon2', ...; segments are numbered from 0."
+                f"There is nothing called {element!r} in the source; polygons are numbered from 0 "
+                "or called 'Polygon1', 'Polygon2', ...; segments are numbered from 0."
             )
     return Prepared(network, np.eye(4))
 
@@ -130,7 +130,8 @@ def _add_segments(network, item, count, number, constraint, boundary):
     markers = arrays.index_array(item[2] if len(item) == 3 else (), 0, "markers")
     roles = []
     if count == 1:
-        for elements, role in ((constraint, native.Role.constraint), (boundary, native.Role.boundary)):
+        given = ((constraint, native.Role.constraint), (boundary, native.Role.boundary))
+        for elements, role in given:
             roles += [(int(i), role) for i in elements if not isinstance(i, str) and i >= 0]
     network.add_segments(points, segments, markers, f"Segments{number + 1}", roles)
 
@@ -214,13 +215,11 @@ def _find(sources, element):
         if number is not None:
             found.append((source, number))
     if len(found) != 1:
-        known = [
-            (prefix + "_" if prefix and len(sources) > 1 else "") + next(iter(source.numbers), "Edge1")
-            for source, prefix in zip(sources, _prefixes(sources))
-        ]
+        first = next(iter(sources[0].numbers), "Edge1")
+        known = first if len(sources) == 1 else f"{_prefixes(sources)[0]}_{first}"
         raise InvalidOptionError(
             f"There is no curve called {element!r} in the source; curves are called, for example, "
-            f"{known[0]!r}."
+            f"{known!r}."
         )
     return found[0]
 
