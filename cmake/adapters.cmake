@@ -16,14 +16,14 @@ if(occt_sources)
                         TKGeomBase TKGeomAlgo TKTopAlgo TKPrim TKXSBase ${step_toolkits})
 endif()
 
-# FiltersGeneral checks cells in the tests only.
-find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel CommonMisc IOXML IOLegacy
-             FiltersGeneral QUIET)
+# The filters check cells in the tests only.
+find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel CommonMisc IOCore IOXML
+             IOLegacy FiltersGeneral FiltersVerdict QUIET)
 file(GLOB vtk_sources CONFIGURE_DEPENDS src/vtk/*.cpp)
 if(vtk_sources)
   add_library(tessera_vtk STATIC ${vtk_sources})
   target_link_libraries(tessera_vtk PUBLIC tessera_io VTK::CommonCore VTK::CommonDataModel
-                        VTK::CommonMisc VTK::IOXML VTK::IOLegacy)
+                        VTK::CommonMisc VTK::IOCore VTK::IOXML VTK::IOLegacy)
 endif()
 
 find_package(CLI11 REQUIRED)

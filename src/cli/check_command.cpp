@@ -61,7 +61,7 @@ Command addCheckCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand(
         "check", "Proves that a mesh is valid: orientation, conformity, no overlaps.");
     const auto arguments = std::make_shared<CheckArguments>();
-    command->add_option("MESH", arguments->mesh, ".vtu, .vtk, .msh or .inp file")->required();
+    command->add_option("MESH", arguments->mesh, ".vtu, .msh or .inp file")->required();
     command->add_option("--report", arguments->report, "File for the report, JSON");
     command->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
     return [arguments] { return runCheck(*arguments); };

@@ -77,8 +77,8 @@ void writeMesh(const Mesh& mesh, const std::filesystem::path& path, const CurveN
 RawMesh readMesh(const std::filesystem::path& path)
 {
     const std::string extension = extensionOf(path);
-    if (extension == ".vtu" || extension == ".vtk") {
-        return readVtk(path);
+    if (extension == ".vtu") {
+        return parseVtu(readTextFile(path), path.string());
     }
     if (extension == ".msh") {
         return parseMsh(readTextFile(path), path.string());
@@ -87,7 +87,7 @@ RawMesh readMesh(const std::filesystem::path& path)
         return parseInp(readTextFile(path), path.string());
     }
     throw Error(ErrorKind::Unreadable,
-                fmt::format("{}: meshes are read from .vtu, .vtk, .msh and .inp files.",
+                fmt::format("{}: meshes are read from .vtu, .msh and .inp files.",
                             path.string()));
 }
 

@@ -21,7 +21,7 @@ bool isMeshExtension(const std::string& extension);
 void writeMesh(const Mesh& mesh, const std::filesystem::path& path,
                const CurveNetwork* network = nullptr);
 
-/// Reads a mesh to be checked from a .vtu, .vtk, .msh or .inp file. Throws Error(Unreadable).
+/// Reads a mesh to be checked from a .vtu, .msh or .inp file. Throws Error(Unreadable).
 RawMesh readMesh(const std::filesystem::path& path);
 
 } // namespace tessera

@@ -5,6 +5,8 @@
 #include "mesh/mesh.h"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace tessera
 {
@@ -20,8 +22,9 @@ namespace tessera
 /// triangles and edges, point ids for nodes.
 void writeVtk(const Mesh& mesh, const std::filesystem::path& path);
 
-/// Reads the lines, triangles and quadrangles of order 1 and 2 of a .vtu or .vtk file. Numbers of
-/// nodes and cells are VTK's, from 0. Throws Error(Unreadable).
-RawMesh readVtk(const std::filesystem::path& path);
+/// Parses the lines, triangles and quadrangles of order 1 and 2 of a .vtu file in any of its
+/// encodings. Numbers of nodes and cells are VTK's, from 0. name is used in messages. Whatever the
+/// text has in it, this ends with a mesh or throws Error(Unreadable).
+RawMesh parseVtu(std::string_view text, const std::string& name);
 
 } // namespace tessera

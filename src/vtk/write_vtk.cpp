@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "io/atomic_file.h"
 #include "io/read_network.h"
-#include "vtk/silence.h"
+#include "vtk/error_listener.h"
 
 #include <fmt/format.h>
 
@@ -184,10 +184,13 @@ vtkSmartPointer<vtkUnstructuredGrid> makeGrid(const Mesh& mesh)
 template<class Writer>
 void runWriter(Writer& writer, vtkUnstructuredGrid& grid, const std::filesystem::path& path)
 {
-    const VtkSilence silence;
+    vtkNew<ErrorListener> listener;
+    writer.AddObserver(vtkCommand::ErrorEvent, listener);
+    writer.AddObserver(vtkCommand::WarningEvent, listener);
     writer.SetFileName(path.c_str());
     writer.SetInputData(&grid);
-    if (writer.Write() == 0 || writer.GetErrorCode() != vtkErrorCode::NoError) {
+    if (writer.Write() == 0 || writer.GetErrorCode() != vtkErrorCode::NoError
+        || listener->failed()) {
         throw Error(ErrorKind::Unwritable,
                     fmt::format("{}: cannot be written: {}.", path.string(),
                                 vtkErrorCode::GetStringFromErrorCode(writer.GetErrorCode())));
