@@ -7,6 +7,8 @@ import pytest
 import sketches
 import window
 
+from tessera.objects import planar_mesh
+
 
 def state(document):
     """All that must not change when nothing was meshed."""
@@ -109,6 +111,25 @@ def test_ok_without_a_change_is_no_step(document):
     window.double_click(mesh).press("Ok")
     assert window.Panel.find() is None
     assert (mesh.MeshRevision, document.UndoCount) == (revision, undo_count)
+
+
+def test_numbers_that_are_shown_rounded_stay(document):
+    obj = planar_mesh.make_planar_mesh(sketches.plate(document), size=20.0 / 3.0, growth=0.1234)
+    document.recompute()
+    revision = obj.MeshRevision
+    assert revision > 0
+    window.double_click(obj).press("Ok")
+    assert window.Panel.find() is None
+    assert (obj.MeshRevision, obj.Size.Value, obj.GrowthRate) == (revision, 20.0 / 3.0, 0.1234)
+
+
+def test_source_that_was_deleted(document):
+    panel = window.open_panel(sketches.plate(document))
+    document.removeObject("Plate")
+    panel.mesh()
+    assert "deleted" in panel.message
+    panel.press("Cancel")
+    assert window.Panel.find() is None
 
 
 def test_constraint_edges(document):

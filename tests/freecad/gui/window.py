@@ -71,17 +71,14 @@ class Panel:
     """The open task panel, as a user sees it."""
 
     def __init__(self):
-        wait_until(self._is_shown, 10)
+        wait_until(lambda: self.find() is not None, 10)
         self.form = self.find()
-
-    @classmethod
-    def _is_shown(cls):
-        form = cls.find()
-        return form is not None and form.isVisible()
 
     @staticmethod
     def find():
-        return main_window().findChild(QtGui.QWidget, "TesseraPlanarMesh")
+        """The panel's form; those of closed panels may still wait to be deleted."""
+        forms = main_window().findChildren(QtGui.QWidget, "TesseraPlanarMesh")
+        return next((form for form in forms if form.isVisible()), None)
 
     def widget(self, name):
         return self.form.findChild(QtGui.QWidget, name)

@@ -27,18 +27,44 @@ class Target:
     """One mesh that the panel makes: of what, and the document object that holds it, once there is
     one."""
 
-    def __init__(self, source, faces=(), name=None):
+    def __init__(self, source, faces=(), obj=None):
         self.source = source
         self.faces = faces
-        self.name = name
+        self.document = (obj or source).Document
+        self.name = obj.Name if obj else None
 
     @classmethod
     def of_object(cls, obj):
-        return cls(obj.Source, planar_mesh.faces_of(obj), obj.Name)
+        return cls(obj.Source, planar_mesh.faces_of(obj), obj)
 
-    def object(self, document):
+    def object(self):
         """The document object, or None: it may be gone by undo."""
-        return document.getObject(self.name) if self.name else None
+        return self.document.getObject(self.name) if self.name else None
+
+
+class _Number:
+    """A field that shows a number rounded: what the user leaves alone keeps all its digits."""
+
+    def __init__(self, field, is_length=True):
+        self._field = field
+        self._is_length = is_length
+        self._value = self._shown = 0.0
+
+    def set(self, value):
+        if self._is_length:
+            quantity = FreeCAD.Units.Quantity(value, FreeCAD.Units.Length)
+            self._field.setProperty("value", quantity)
+        else:
+            self._field.setValue(value)
+        self._value, self._shown = value, self._read()
+
+    def get(self):
+        """Lengths in millimeters."""
+        shown = self._read()
+        return self._value if shown == self._shown else shown
+
+    def _read(self):
+        return float(self._field.property("rawValue" if self._is_length else "value"))
 
 
 class PlanarMeshPanel:
@@ -46,10 +72,13 @@ class PlanarMeshPanel:
 
     def __init__(self, targets):
         self.form = FreeCADGui.PySideUic.loadUi(resources.form("planar_mesh"))
-        self._document = FreeCAD.ActiveDocument
+        self._document = targets[0].document
         self._document_name = self._document.Name
         self._targets = targets
-        self._edited = self._targets[0].object(self._document)
+        self._edited = targets[0].object()
+        self._size = _Number(self.form.sizeField)
+        self._weld = _Number(self.form.weldField)
+        self._growth = _Number(self.form.growthField, is_length=False)
         self._constraints = []
         self._job = None
         self._shapes = []
@@ -74,9 +103,9 @@ class PlanarMeshPanel:
         else:
             request = planar_mesh.request_of(self._edited)
             self._meshed = [request]
-        _set_length(form.sizeField, request.size)
-        _set_length(form.weldField, request.weld)
-        form.growthField.setValue(request.growth)
+        self._size.set(request.size)
+        self._weld.set(request.weld)
+        self._growth.set(request.growth)
         form.orderField.setCurrentIndex(request.order - 1)
         form.fillField.setCurrentIndex(form.fillField.findData(request.fill))
         self._constraints = [
@@ -136,9 +165,9 @@ class PlanarMeshPanel:
         return MeshRequest(
             source=target.source,
             faces=tuple(target.faces),
-            size=_length(self.form.sizeField),
-            weld=_length(self.form.weldField),
-            growth=self.form.growthField.value(),
+            size=self._size.get(),
+            weld=self._weld.get(),
+            growth=self._growth.get(),
             order=self.form.orderField.currentIndex() + 1,
             fill=self.form.fillField.itemData(self.form.fillField.currentIndex()),
             constraints=tuple((owner, tuple(names)) for owner, names in constraints.items()),
@@ -151,8 +180,13 @@ class PlanarMeshPanel:
         if self._job is not None:
             return
         self._show_message("")
-        requests = self.requests()
-        self._shapes = [_shape_of(request.source) for request in requests]
+        try:
+            requests = self.requests()
+            self._shapes = [_shape_of(request.source) for request in requests]
+        except ReferenceError:
+            text = translate("Tessera", "What was to be meshed has been deleted; close the panel.")
+            self._show_message(text, _CRITICAL)
+            return
         self._job = MeshJob(requests)
         self._job.progressed.connect(self._on_progress)
         self._job.finished.connect(lambda meshes: self._on_finished(requests, meshes))
@@ -233,7 +267,7 @@ class PlanarMeshPanel:
             self._transaction = True
         objects = []
         for target, request, mesh in zip(self._targets, requests, meshes):
-            obj = target.object(self._document)
+            obj = target.object()
             if obj is None:
                 obj = planar_mesh.make(request, active_analysis(self._document))
                 target.name = obj.Name
@@ -252,7 +286,7 @@ class PlanarMeshPanel:
         return True
 
     def _up_to_date(self):
-        objects = [target.object(self._document) for target in self._targets]
+        objects = [target.object() for target in self._targets]
         return self._meshed == self.requests() and all(
             obj is not None
             and obj.MeshRevision > 0
@@ -357,15 +391,6 @@ class PlanarMeshPanel:
             lines.append(f"{obj.Source.Label}: {line}" if len(objects) > 1 else line)
             lines += obj.Messages
         self._show_message("\n".join(lines), _INFORMATION)
-
-
-def _set_length(field, millimeters):
-    field.setProperty("value", FreeCAD.Units.Quantity(millimeters, FreeCAD.Units.Length))
-
-
-def _length(field):
-    """In millimeters."""
-    return float(field.property("rawValue"))
 
 
 def _shape_of(source):

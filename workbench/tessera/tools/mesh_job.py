@@ -28,7 +28,7 @@ class MeshJob(QtCore.QObject):
         for number, request in enumerate(self._requests):
             try:
                 self._prepared.append(request.prepare())
-            except (tessera.Error, ImportError) as error:
+            except Exception as error:  # anything must reach the user, who would wait for ever
                 self.failed.emit(number, error)
                 return
         self._execution = tessera.Execution()
@@ -55,7 +55,7 @@ class MeshJob(QtCore.QObject):
 
             try:
                 meshes.append(request.mesh(prepared, progress, self._execution))
-            except Exception as error:  # anything must reach the user, who would wait for ever
+            except Exception as error:  # as above
                 self.failed.emit(number, error)
                 return
         self.finished.emit(meshes)
