@@ -201,7 +201,7 @@ def test_bad_source(document, output, name):
     assert state(document) == before
 
 
-@pytest.mark.parametrize("size, words", [("0 mm", "greater than 0"), ("1e-6 mm", "memory")])
+@pytest.mark.parametrize("size, words", [("0 mm", "greater than 0"), ("1 nm", "memory")])
 def test_bad_size(document, output, size, words):
     sketch = sketches.plate(document)
     before = state(document)
