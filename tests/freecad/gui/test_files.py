@@ -7,6 +7,7 @@ import FreeCAD
 import pytest
 import sketches
 import window
+from PySide import QtGui
 
 from tessera.objects import planar_mesh
 from tessera.viewproviders.planar_mesh import ViewProviderPlanarMesh
@@ -23,6 +24,19 @@ def test_looks(document):
     view = meshed(document).ViewObject
     assert view.DisplayMode == "Faces & Wireframe"
     assert view.Proxy.getIcon().endswith("tessera_planar_mesh.svg")
+    assert view.ShapeColor[:3] == pytest.approx((0.62, 0.83, 0.82))
+    window.show_from_above()
+    window.wait(0.5)
+    image = view_image()
+    colors = {image.pixelColor(x, y).getRgb()[:3] for x in range(90, 110) for y in range(20, 130)}
+    assert any(b > r + 30 and g > r + 30 for r, g, b in colors), "the mesh has its color"
+    assert any(max(color) < 80 for color in colors), "the edges of the triangles are drawn"
+
+
+def view_image():
+    """The middle of the screen, where the 3D view is: the left part of the plate."""
+    screen = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
+    return screen.copy(500, 330, 200, 150)
 
 
 def test_save_and_reload(document, tmp_path, output):

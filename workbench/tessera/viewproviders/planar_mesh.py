@@ -17,7 +17,7 @@ class ViewProviderPlanarMesh:
     def __init__(self, view_object):
         view_object.Proxy = self
         view_object.DisplayMode = _FACES_AND_EDGES
-        view_object.ShapeColor = _COLOR
+        _paint(view_object)
         view_object.LineWidth = 1.0
         view_object.BackfaceCulling = False
 
@@ -61,3 +61,17 @@ class ViewProviderPlanarMesh:
             return None
         FreeCADGui.Control.closeDialog()
         return True
+
+
+def _paint(view_object):
+    """Matt: a shiny plane is white when seen from above."""
+    if "ShapeAppearance" in view_object.PropertiesList:
+        material = view_object.ShapeAppearance[0]
+    else:  # before FreeCAD 1.0
+        material = view_object.ShapeMaterial
+    material.DiffuseColor = _COLOR
+    material.SpecularColor = (0.0, 0.0, 0.0)
+    if "ShapeAppearance" in view_object.PropertiesList:
+        view_object.ShapeAppearance = (material,)
+    else:
+        view_object.ShapeMaterial = material
