@@ -119,7 +119,8 @@ def _from_link(owner, subs):
             raise InvalidInputError(
                 f"{owner.Label} has no {sub} any more; choose the element again."
             ) from error
-    source = CadSource(owner, owner.Label, Part.makeCompound(shapes))
+    # Not makeCompound(), which ends the process on Debian 13.
+    source = CadSource(owner, owner.Label, Part.Compound(shapes))
     numbers = {}
     for i, edge in enumerate(owner.Shape.Edges):
         numbers.setdefault(edge.hashCode(), []).append((edge, i + 1))
@@ -158,7 +159,7 @@ def _from_sketch(sketch, construction):
             roles[len(edges)] = native.Role.constraint
     if not shapes:
         raise InvalidInputError(f"{sketch.Label} has no geometry to mesh; draw a closed outline.")
-    source = CadSource(sketch, sketch.Label, Part.makeCompound(shapes), sketch.Placement)
+    source = CadSource(sketch, sketch.Label, Part.Compound(shapes), sketch.Placement)
     source.elements = edges
     source.roles = roles
     # Vertices of edges have numbers too; those of points are the ones on no edge.
