@@ -59,8 +59,16 @@ def test_exception_of_progress_ends_the_run_and_is_passed_on():
     assert time.monotonic() - began < 2.0
 
 
-def test_control_c_ends_the_run():
-    threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+@pytest.fixture
+def control_c():
+    """Python's own answer to SIGINT; a shell switches it off for what runs in the background."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+def test_control_c_ends_the_run(control_c):
+    threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
     with pytest.raises(KeyboardInterrupt):
         tessera.mesh(SQUARE, size=LONG)
 
