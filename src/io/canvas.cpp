@@ -74,8 +74,8 @@ Canvas::Canvas(const Box2& view, PictureFormat format, const std::string& captio
     const double width = view_.max.x - view_.min.x;
     const double height = view_.max.y - view_.min.y;
     scale_ = kPictureSize / std::max(width, height);
-    width_ = std::ceil(width * scale_);
-    height_ = std::ceil(height * scale_);
+    width_ = std::round(width * scale_);
+    height_ = std::round(height * scale_);
     const double pageHeight = height_ + (caption.empty() ? 0.0 : kCaptionHeight);
 
     surface_->format = format;

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: MIT
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace tessera
+{
+namespace
+{
+
+using nlohmann::json;
+using testing::Outcome;
+using testing::Program;
+
+const std::string kSquare = "4 2 0 0\n1 0 0\n2 10 0\n3 10 10\n4 0 10\n"
+                            "4 1\n1 1 2 11\n2 2 3 12\n3 3 4 13\n4 4 1 14\n0\n";
+/// A square and in it, not joined to it, a smaller one.
+const std::string kNested = "8 2 0 0\n1 0 0\n2 10 0\n3 10 10\n4 0 10\n5 3 3\n6 6 3\n7 6 6\n8 3 6\n"
+                            "8 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n"
+                            "5 5 6 2\n6 6 7 2\n7 7 8 2\n8 8 5 2\n0\n";
+/// Two squares that overlap in a third of each.
+const std::string kTwo = "POLYGON((0 0,6 0,6 6,0 6,0 0))\nPOLYGON((4 0,10 0,10 6,4 6,4 0))\n";
+
+class MeshCommand: public ::testing::Test
+{
+protected:
+    Program program;
+
+    /// Meshes and returns the report.
+    json mesh(std::vector<std::string> arguments)
+    {
+        arguments.insert(arguments.begin(), "mesh");
+        arguments.insert(arguments.end(), {"-o", "out.vtu", "--report", "out.json"});
+        const Outcome outcome = program.run(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        const Outcome check = program.run({"check", "out.vtu"});
+        EXPECT_EQ(check.status, 0) << check.err;
+        return program.json("out.json");
+    }
+    /// One line on stderr with text in it, the status, and nothing written.
+    void refuse(const std::vector<std::string>& arguments, const std::string& text, int status = 1)
+    {
+        const std::size_t before = program.folder().fileCount();
+        const Outcome outcome = program.run(arguments);
+        EXPECT_EQ(outcome.status, status) << outcome.err;
+        EXPECT_EQ(outcome.errorLines(), 1U) << outcome.err;
+        EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err << "expected: " << text;
+        EXPECT_EQ(program.folder().fileCount(), before) << "something was left behind";
+    }
+};
+
+TEST_F(MeshCommand, ReportHasAllKeys)
+{
+    program.give("a.poly", kSquare);
+    const json report = mesh({"a.poly", "--size", "1"});
+    for (const char* key :
+         {"version", "input", "crossings", "touches", "overlaps", "steiner_inserted",
+          "steiner_removed", "regions", "vertices", "triangles", "quads", "area", "region_areas",
+          "min_angle_deg", "max_angle_deg", "angle_p01_deg", "min_quality", "mean_quality",
+          "size_conformity", "max_displacement", "snap_pixel", "unreached", "default_size", "weld",
+          "seconds", "peak_memory_bytes"}) {
+        EXPECT_TRUE(report.contains(key)) << key;
+    }
+    std::set<std::string> stages;
+    double sum = 0.0;
+    for (const auto& [stage, seconds] : report["seconds"].items()) {
+        stages.insert(stage);
+        sum += stage == "total" ? 0.0 : seconds.get<double>();
+    }
+    EXPECT_EQ(stages, (std::set<std::string> {"read", "arrange", "sample", "triangulate", "recover",
+                                              "color", "refine", "optimize", "extract", "write",
+                                              "total"}));
+    EXPECT_NEAR(sum, report["seconds"]["total"].get<double>(),
+                0.05 * report["seconds"]["total"].get<double>());
+    EXPECT_EQ(report["input"], (json {{"points", 4}, {"segments", 4}, {"curves", 4}, {"operands", 1}}));
+    for (const char* key : {"min", "p05", "median", "p95", "max"}) {
+        EXPECT_TRUE(report["size_conformity"].contains(key)) << key;
+    }
+    EXPECT_GT(report["peak_memory_bytes"].get<double>(), 1e6);
+    EXPECT_NEAR(report["area"].get<double>(), 100.0, 1e-9);
+    EXPECT_EQ(report["regions"], 1);
+    EXPECT_NEAR(report["default_size"].get<double>(), std::sqrt(200.0) / 40.0, 1e-12);
+    EXPECT_GT(report["triangles"].get<int>(), 150);
+    EXPECT_GE(report["min_angle_deg"].get<double>(), 25.0);
+}
+
+TEST_F(MeshCommand, SizesAndBounds)
+{
+    program.give("a.poly", kSquare);
+    const int coarse = mesh({"a.poly", "--size", "2"})["triangles"];
+    const int fine = mesh({"a.poly", "--size", "0.5"})["triangles"];
+    const int bounded = mesh({"a.poly", "--size", "2", "--max-area", "0.2"})["triangles"];
+    EXPECT_GT(fine, 8 * coarse);
+    EXPECT_GE(bounded, 500);
+    const json plain = mesh({"a.poly", "--no-refine"});
+    EXPECT_EQ(plain["triangles"], 2);
+    EXPECT_EQ(plain["vertices"], 4);
+}
+
+TEST_F(MeshCommand, OrderTwo)
+{
+    program.give("a.poly", kSquare);
+    const json one = mesh({"a.poly", "--size", "2"});
+    const json two = mesh({"a.poly", "--size", "2", "--order", "2"});
+    EXPECT_EQ(one["triangles"], two["triangles"]);
+    EXPECT_GT(two["vertices"].get<int>(), 3 * one["vertices"].get<int>());
+}
+
+TEST_F(MeshCommand, FillRules)
+{
+    program.give("a.poly", kNested);
+    const auto area = [&](const std::string& fill) {
+        return mesh({"a.poly", "--no-refine", "--fill", fill})["area"].get<double>();
+    };
+    EXPECT_NEAR(area("even-odd"), 91.0, 1e-9);
+    EXPECT_NEAR(area("nonzero"), 100.0, 1e-9);
+    EXPECT_NEAR(area("positive"), 100.0, 1e-9);
+    EXPECT_NEAR(area("all"), 100.0, 1e-9);
+    EXPECT_NEAR(area("hull"), 100.0, 1e-9);
+    refuse({"mesh", "a.poly", "-o", "x.vtu", "--fill", "negative"}, "");
+}
+
+TEST_F(MeshCommand, RolesByMarkerAndLine)
+{
+    program.give("a.poly", kNested);
+    EXPECT_NEAR(mesh({"a.poly", "--no-refine", "--constraint", "2"})["area"].get<double>(), 100.0,
+                1e-9);
+    EXPECT_NEAR(mesh({"a.poly", "--no-refine", "--constraint", "1"})["area"].get<double>(), 9.0,
+                1e-9);
+    program.give("a.wkt", "POLYGON((0 0,10 0,10 10,0 10,0 0))\nLINESTRING(2 2,4 2,4 4,2 2)\n");
+    EXPECT_EQ(mesh({"a.wkt", "--no-refine"})["regions"], 1);
+    EXPECT_EQ(mesh({"a.wkt", "--no-refine", "--boundary", "2"})["regions"], 2);
+    refuse({"mesh", "a.poly", "-o", "x.vtu", "--constraint", "2,7"}, "number 7");
+}
+
+TEST_F(MeshCommand, OperandsOfSeveralInputs)
+{
+    program.give("a.wkt", kTwo);
+    program.give("b.poly", kSquare);
+    const json report = mesh({"a.wkt", "b.poly", "--no-refine"});
+    EXPECT_EQ(report["input"]["operands"], 3);
+    EXPECT_NEAR(report["area"].get<double>(), 100.0, 1e-9);
+    const json two = mesh({"a.wkt", "--no-refine"});
+    EXPECT_EQ(two["regions"], 3);
+    EXPECT_NEAR(two["area"].get<double>(), 60.0, 1e-9);
+    std::vector<double> areas = two["region_areas"];
+    std::ranges::sort(areas);
+    EXPECT_NEAR(areas[0], 12.0, 1e-9);
+    EXPECT_NEAR(areas[2], 24.0, 1e-9);
+    EXPECT_EQ(two["overlaps"], 2); // above and below the part in common
+}
+
+TEST_F(MeshCommand, BothRecoveries)
+{
+    program.give("a.wkt", "POLYGON((0 0,8 0,8 8,0 8,0 0))\nLINESTRING(-1 1,9 7)\nLINESTRING(2 9,6 -1)\n");
+    const json cavity = mesh({"a.wkt", "--no-refine"});
+    const json steiner = mesh({"a.wkt", "--no-refine", "--recovery", "steiner"});
+    EXPECT_EQ(cavity["crossings"], 5);
+    EXPECT_EQ(steiner["crossings"], 5);
+    EXPECT_EQ(cavity["steiner_inserted"], 0);
+    EXPECT_EQ(steiner["steiner_inserted"].get<int>() - steiner["steiner_removed"].get<int>(), 5);
+    EXPECT_NEAR(steiner["area"].get<double>(), 64.0, 1e-9);
+}
+
+TEST_F(MeshCommand, NoInsideIsRefusedUnlessAllOrHull)
+{
+    program.give("line.wkt", "LINESTRING(0 0,1 1,2 0)\n");
+    program.give("points.wkt", "MULTIPOINT(0 0,1 0,0 1,2 2)\n");
+    program.give("flat.wkt", "POLYGON((0 0,1 1,2 2,0 0))\n");
+    program.give("empty.wkt", "POLYGON EMPTY\n");
+    program.give("nothing.wkt", "");
+    for (const char* file : {"line.wkt", "points.wkt", "flat.wkt", "empty.wkt", "nothing.wkt"}) {
+        refuse({"mesh", file, "-o", "x.vtu"}, "tessera: ");
+    }
+    for (const char* fill : {"all", "hull"}) {
+        const Outcome outcome = program.run(
+            {"mesh", "flat.wkt", "-o", "out.vtu", "--fill", fill, "--report", "out.json"});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(program.json("out.json")["regions"], 0);
+    }
+    EXPECT_NEAR(mesh({"points.wkt", "--fill", "hull"})["area"].get<double>(), 2.0, 1e-12);
+}
+
+TEST_F(MeshCommand, BadOptions)
+{
+    program.give("a.poly", kSquare);
+    const auto with = [](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments {"mesh", "a.poly", "-o", "x.vtu"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    };
+    for (const char* bad : {"0", "-1", "nan", "inf"}) {
+        refuse(with({"--size", bad}), "--size");
+        refuse(with({"--min-size", bad}), "--min-size");
+        refuse(with({"--max-area", bad}), "--max-area");
+        refuse(with({"--time-limit", bad}), "--time-limit");
+    }
+    refuse(with({"--weld", "-1"}), "--weld");
+    refuse(with({"--growth", "0"}), "growth");
+    refuse(with({"--growth", "nan"}), "growth");
+    refuse(with({"--min-angle", "40"}), "angle");
+    refuse(with({"--size", "1e-9"}), "memory");
+    for (const auto& wrong : std::vector<std::vector<std::string>> {
+             {"--size", "small"}, {"--size"}, {"--order", "3"}, {"--fill", "some"},
+             {"--recovery", "none"}, {"--constraint", "1,x"}, {"--no-such-option"},
+             {"--threads", "2"}, {"--elements", "quad"}}) {
+        refuse(with(wrong), "--help", 2);
+    }
+    refuse({"mesh", "a.poly"}, "--output is required", 2);
+    refuse({"mesh", "-o", "x.vtu"}, "INPUT is required", 2);
+    refuse({"mesh", "a.poly", "-o", "x.obj"}, "should end in .vtu", 2);
+    refuse({"mesh", "a.poly", "-o", "x"}, "should end in .vtu", 2);
+    refuse({}, "--help", 2);
+    refuse({"meshes"}, "--help", 2);
+    refuse({"overlay", "a.poly", "-o", "x.wkt"}, "--help", 2);
+}
+
+TEST_F(MeshCommand, BadInputs)
+{
+    refuse({"mesh", "none.poly", "-o", "x.vtu"}, "none.poly: cannot be read: No such file");
+    program.give("a.dxf", "0");
+    refuse({"mesh", "a.dxf", "-o", "x.vtu"}, "a.dxf: files of this kind cannot be read");
+    program.give("bad.poly", "3 2 0 0\n1 0 0\n2 1 0\n3 1 nan\n");
+    refuse({"mesh", "bad.poly", "-o", "x.vtu"}, "bad.poly:4: 'nan' is not a finite number");
+    program.give("bad.wkt", "POLYGON((0 0,1 0,1 1,0 0))\nPOLYGON((0 0,1 0\n");
+    refuse({"mesh", "bad.wkt", "-o", "x.vtu"}, "bad.wkt:");
+    program.give("bad.brep", "CASCADE Topology V1, (c) Matra-Datavision\nLocations 1\n");
+    refuse({"mesh", "bad.brep", "-o", "x.vtu"}, "bad.brep");
+    program.give("bad.step", "ISO-10303-21;\nHEADER;\n");
+    refuse({"mesh", "bad.step", "-o", "x.vtu"}, "bad.step");
+    program.give("far.poly", "3 2 0 0\n1 0 0\n2 1e200 0\n3 1 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+    refuse({"mesh", "far.poly", "-o", "x.vtu"}, "tessera: ");
+}
+
+TEST_F(MeshCommand, TruncatedInputIsRefusedOrMeshed)
+{
+    for (std::size_t length = 0; length < kSquare.size(); length += 3) {
+        program.give("cut.poly", kSquare.substr(0, length));
+        const Outcome outcome = program.run({"mesh", "cut.poly", "-o", "x.vtu", "--no-refine"});
+        EXPECT_TRUE(outcome.status == 0 || outcome.status == 1) << length << ' ' << outcome.status;
+        EXPECT_EQ(outcome.errorLines(), outcome.status == 0 ? 0U : 1U) << outcome.err;
+    }
+}
+
+TEST_F(MeshCommand, OutputsThatCannotBeWritten)
+{
+    program.give("a.poly", kSquare);
+    refuse({"mesh", "a.poly", "-o", "none/x.vtu"}, "none/x.vtu: cannot be written: No such file");
+    refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", "none/x.json"},
+           "none/x.json: cannot be written");
+    refuse({"mesh", "a.poly", "-o", "x.vtu", "--stages", "a.poly"}, "cannot be made");
+    std::filesystem::create_directory(program.folder() / "x.vtu");
+    refuse({"mesh", "a.poly", "-o", "x.vtu"}, "Is a directory");
+}
+
+TEST_F(MeshCommand, FailureKeepsTheFileThatWasThere)
+{
+    program.give("out.vtu", "precious");
+    program.give("line.wkt", "LINESTRING(0 0,1 1)");
+    EXPECT_EQ(program.run({"mesh", "line.wkt", "-o", "out.vtu"}).status, 1);
+    EXPECT_EQ(program.text("out.vtu"), "precious");
+    EXPECT_EQ(program.folder().fileCount(), 2U);
+}
+
+TEST_F(MeshCommand, AllOutputFormats)
+{
+    program.give("a.wkt", kTwo + "LINESTRING(1 1,9 5)\nPOINT(2 4)\n");
+    for (const char* extension : {"vtu", "vtk", "msh", "inp", "poly", "svg", "png", "VTU"}) {
+        const std::string name = std::string("out.") + extension;
+        const Outcome outcome = program.run({"mesh", "a.wkt", "-o", name, "--size", "1"});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_GT(program.text(name).size(), 1000U) << name;
+    }
+    for (const char* name : {"out.vtu", "out.msh", "out.inp", "out.VTU"}) {
+        const Outcome outcome = program.run({"check", name, "--report", "check.json"});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NEAR(program.json("check.json")["area"].get<double>(), 60.0, 1e-9) << name;
+    }
+    EXPECT_NE(program.text("out.msh").find("\"Line1\""), std::string::npos);
+    EXPECT_NE(program.text("out.msh").find("\"Line3_Edges\""), std::string::npos);
+    EXPECT_NE(program.text("out.inp").find("NSET=Line4_Points\n"), std::string::npos);
+    EXPECT_TRUE(program.text("out.svg").starts_with("<?xml"));
+    EXPECT_TRUE(program.text("out.png").starts_with("\x89PNG"));
+    // The mesh as drawing is a drawing of the same domain.
+    EXPECT_NEAR(mesh({"out.poly", "--no-refine", "--fill", "all"})["area"].get<double>(), 60.0, 1e-9);
+}
+
+TEST_F(MeshCommand, SameInputSameBytes)
+{
+    program.give("a.wkt", kTwo + "LINESTRING(-1 1,9 5)\n");
+    for (const char* name : {"out.vtu", "out.msh", "out.inp", "out.poly", "out.svg", "out.png"}) {
+        EXPECT_EQ(program.run({"mesh", "a.wkt", "-o", name}).status, 0);
+        const std::string first = program.text(name);
+        EXPECT_EQ(program.run({"mesh", "a.wkt", "-o", name}).status, 0);
+        EXPECT_EQ(program.text(name), first) << name;
+    }
+}
+
+TEST_F(MeshCommand, StagePictures)
+{
+    program.give("a.wkt", "POLYGON((0 0,80 0,80 80,0 80,0 0),(20 20,20 40,40 40,40 20,20 20))\n"
+                          "LINESTRING(-10 10,90 70)\nLINESTRING(20 90,60 -10)\n");
+    const json report = mesh({"a.wkt", "--recovery", "steiner", "--stages", "folder/stages"});
+    EXPECT_GT(report["steiner_removed"].get<int>(), 0);
+    for (const char* name :
+         {"1-rectangle", "2-points", "3-before-recovery", "4-recovered", "5-outside-removed",
+          "6-optimized", "7-zoom", "steiner-before", "steiner-after"}) {
+        const std::string svg = program.text(std::string("folder/stages/") + name + ".svg");
+        const std::string png = program.text(std::string("folder/stages/") + name + ".png");
+        EXPECT_TRUE(svg.ends_with("</svg>\n")) << name;
+        EXPECT_TRUE(png.starts_with("\x89PNG")) << name;
+        EXPECT_GT(png.size(), 5000U) << name;
+    }
+}
+
+TEST_F(MeshCommand, TimeLimitAndInterruptLeaveNothing)
+{
+    program.give("a.poly", kSquare);
+    const std::vector<std::string> big {"mesh", "a.poly", "-o", "x.vtu", "--size", "0.004"};
+    std::vector<std::string> limited = big;
+    limited.insert(limited.end(), {"--time-limit", "0.05"});
+    refuse(limited, "time limit", 3);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const Outcome outcome =
+            program.interrupt(big, signal, std::chrono::milliseconds(300));
+        EXPECT_EQ(outcome.status, 3) << outcome.err;
+        EXPECT_EQ(outcome.err, "tessera: Cancelled.\n");
+        EXPECT_EQ(program.folder().fileCount(), 1U);
+    }
+}
+
+TEST_F(MeshCommand, QuietAndNot)
+{
+    program.give("a.poly", kSquare);
+    const Outcome loud = program.run({"mesh", "a.poly", "-o", "x.vtu"});
+    EXPECT_NE(loud.out.find("x.vtu: "), std::string::npos);
+    EXPECT_NE(loud.out.find("triangles"), std::string::npos);
+    EXPECT_EQ(program.run({"mesh", "a.poly", "-o", "x.vtu", "--quiet"}).out, "");
+    // Loops that even-odd turned into holes without being told are mentioned.
+    program.give("b.poly", kNested);
+    EXPECT_NE(program.run({"mesh", "b.poly", "-o", "x.vtu"}).out.find("became a hole"),
+              std::string::npos);
+}
+
+TEST_F(MeshCommand, VersionAndHelp)
+{
+    const Outcome version = program.run({"--version"});
+    EXPECT_EQ(version.status, 0);
+    EXPECT_EQ(version.out, "tessera " TESSERA_VERSION "\n");
+    for (const auto& arguments : std::vector<std::vector<std::string>> {
+             {"--help"}, {"mesh", "--help"}, {"check", "--help"}, {"mesh", "-h"}}) {
+        const Outcome help = program.run(arguments);
+        EXPECT_EQ(help.status, 0);
+        EXPECT_EQ(help.err, "");
+        EXPECT_NE(help.out.find("Usage: tessera"), std::string::npos) << help.out;
+    }
+    const std::string help = program.run({"mesh", "--help"}).out;
+    for (const char* option : {"--size", "--min-size", "--growth", "--order", "--fill", "--boundary",
+                               "--constraint", "--min-angle", "--max-area", "--no-refine",
+                               "--no-optimize", "--weld", "--recovery", "--time-limit", "--stages",
+                               "--report", "--quiet"}) {
+        EXPECT_NE(help.find(option), std::string::npos) << option;
+    }
+}
+
+} // namespace
+} // namespace tessera
