@@ -289,7 +289,7 @@ private:
 
     void refineStage(const SizeField& size)
     {
-        if (!options_.refine) {
+        if (!options_.refine || regions_.keptRegions == 0) {
             return;
         }
         execution_.beginStage("refine", 0.4, 0.75);
@@ -320,7 +320,7 @@ private:
 
     void optimizeStage(const SizeField& size)
     {
-        if (!options_.optimize || !options_.refine) {
+        if (!options_.optimize || !options_.refine || regions_.keptRegions == 0) {
             return;
         }
         execution_.beginStage("optimize", 0.75, 0.95);
