@@ -48,20 +48,22 @@ class EdgeStack
 {
 public:
     EdgeStack()
-        : data_(reinterpret_cast<Edge*>(inline_))
+        : top_(inline_)
+        , limit_(inline_ + kInline)
+        , bottom_(inline_)
     {}
     EdgeStack(const EdgeStack&) = delete;
     EdgeStack& operator=(const EdgeStack&) = delete;
 
-    bool empty() const { return size_ == 0; }
-    Edge& top() { return data_[size_ - 1]; }
-    void pop() { --size_; }
-    void push(const Edge& edge)
+    bool empty() const { return top_ == bottom_; }
+    Edge pop() { return *--top_; }
+    template<class... Fields>
+    void push(Fields... fields)
     {
-        if (size_ == capacity_) {
+        if (top_ == limit_) {
             grow();
         }
-        data_[size_++] = edge;
+        *top_++ = Edge {fields...};
     }
 
 private:
@@ -69,18 +71,20 @@ private:
 
     void grow()
     {
-        std::vector<Edge> larger(2 * capacity_);
-        std::copy(data_, data_ + size_, larger.begin());
+        const auto size = static_cast<std::size_t>(top_ - bottom_);
+        std::vector<Edge> larger(2 * size);
+        std::copy(bottom_, top_, larger.begin());
         heap_ = std::move(larger);
-        data_ = heap_.data();
-        capacity_ = heap_.size();
+        bottom_ = heap_.data();
+        top_ = bottom_ + size;
+        limit_ = bottom_ + heap_.size();
     }
 
-    alignas(Edge) std::byte inline_[kInline * sizeof(Edge)];
+    Edge inline_[kInline];
     std::vector<Edge> heap_;
-    Edge* data_;
-    std::size_t size_ = 0;
-    std::size_t capacity_ = kInline;
+    Edge* top_;
+    Edge* limit_;
+    Edge* bottom_;
 };
 
 /// Inserts points into a triangulation that has triangles. KeepIncident: maintain
@@ -95,106 +99,95 @@ public:
         , exactSquare_(exactSquare)
     {}
 
-    /// p strictly inside the edge (onEdge), or in its triangle, which may be a ghost.
+    /// The vertex, at p, strictly inside the edge (onEdge), or in its triangle, which may be a
+    /// ghost.
     void insert(std::uint32_t vertex, bool onEdge, HalfEdge edge)
+    {
+        insert(vertex, t_.points[vertex], onEdge, edge);
+    }
+    void insert(std::uint32_t vertex, Vec2 p, bool onEdge, HalfEdge edge)
     {
         const std::uint32_t triangle = Topology::triangleOf(edge);
         if (onEdge) {
-            insertOnEdge(vertex, edge);
+            insertOnEdge(vertex, p, edge);
         }
         else if (t_.isGhost(triangle)) {
-            insertOutside(vertex, triangle);
+            insertOutside(vertex, p, triangle);
         }
         else {
-            insertInTriangle(vertex, triangle);
+            insertInTriangle(vertex, p, triangle);
         }
     }
 
+    /// A half-edge out of the last inserted vertex, in a finite triangle.
+    HalfEdge lastSpoke() const { return Topology::halfEdge(firstNew_, 2); }
+
+private:
     /// p strictly inside the finite triangle.
-    void insertInTriangle(std::uint32_t vertex, std::uint32_t triangle)
+    void insertInTriangle(std::uint32_t vertex, Vec2 p, std::uint32_t triangle)
     {
-        begin(vertex);
-        const Topology::Triangle old = t_.triangles[triangle];
-        release(triangle);
+        begin(vertex, p);
+        const Topology::Triangle& old = t_.triangles[triangle];
         const Corner a = corner(old.v[0]);
         const Corner b = corner(old.v[1]);
         const Corner c = corner(old.v[2]);
         push(old.link[1], c, a);
         push(old.link[0], b, c);
         push(old.link[2], a, b);
-        start_ = a;
-        run();
-        closeInside(false);
+        release(triangle);
+        run(a);
+        closeInside();
     }
 
     /// p strictly inside the edge u -> v; the twin may be a ghost's.
-    void insertOnEdge(std::uint32_t vertex, HalfEdge edge)
+    void insertOnEdge(std::uint32_t vertex, Vec2 p, HalfEdge edge)
     {
+        begin(vertex, p);
         if (t_.apex(edge) == Topology::kInfinite) {
             edge = t_.twin(edge);
         }
         const HalfEdge twin = t_.twin(edge);
-        if (t_.apex(twin) == Topology::kInfinite) {
-            insertOnHullEdge(vertex, edge);
-            return;
-        }
-        begin(vertex);
         const bool constrained = t_.isConstrained(edge);
-        const Topology::Triangle left = t_.triangles[edge >> 2];
-        const Topology::Triangle right = t_.triangles[twin >> 2];
-        const std::uint32_t i = edge & 3U;
-        const std::uint32_t j = twin & 3U;
-        const Corner u = corner(t_.origin(edge));
-        const Corner v = corner(t_.destination(edge));
-        const Corner above = corner(left.v[i]);
-        const Corner below = corner(right.v[j]);
-        release(edge >> 2);
-        release(twin >> 2);
-        push(right.link[Topology::prev3(j)], below, v);
-        push(right.link[Topology::next3(j)], u, below);
-        start_ = u;
-        run();
-        spokeConstrained_ = constrained;
-        push(left.link[Topology::prev3(i)], above, u);
-        push(left.link[Topology::next3(i)], v, above);
-        run();
-        closeInside(constrained);
+        const std::uint32_t u = t_.origin(edge);
+        const std::uint32_t v = t_.destination(edge);
+        if (t_.apex(twin) == Topology::kInfinite) {
+            splitHullEdge(edge, u, v);
+        }
+        else {
+            splitEdge(edge, twin, u, v);
+        }
+        if (constrained) {
+            constrainSpoke(u);
+            constrainSpoke(v);
+        }
     }
 
     /// p strictly beyond the hull edge of the ghost.
-    void insertOutside(std::uint32_t vertex, std::uint32_t ghost)
+    void insertOutside(std::uint32_t vertex, Vec2 p, std::uint32_t ghost)
     {
-        begin(vertex);
+        begin(vertex, p);
         HalfEdge hull = hullEdgeOf(ghost); // v -> u in the ghost; the hull runs u -> v
-        for (HalfEdge ahead = following(hull); sees(ahead); ahead = following(hull)) {
-            hull = ahead;
-        }
-        const HalfEdge after = t_.twin(t_.prev(hull)); // v -> infinity, in the ghost that stays
-        const std::uint32_t last = t_.origin(hull);
-        start_ = corner(last);
-        HalfEdge before = 0;
-        std::uint32_t first = 0;
-        for (;;) {
-            const HalfEdge behind = preceding(hull);
-            const bool more = sees(behind);
-            before = t_.twin(t_.next(hull)); // infinity -> u
-            first = t_.destination(hull);
-            const std::uint32_t link = t_.triangles[hull >> 2].link[hull & 3U];
-            release(hull >> 2);
-            push(link, start_, corner(first));
-            run();
-            if (!more) {
-                break;
-            }
+        for (HalfEdge behind = preceding(hull); sees(behind); behind = preceding(hull)) {
             hull = behind;
         }
-        closeOutside(first, last, before, after, false);
+        const HalfEdge before = t_.twin(t_.next(hull)); // infinity -> u, in the ghost that stays
+        const std::uint32_t first = t_.destination(hull);
+        HalfEdge after = 0; // v -> infinity, in the ghost that stays
+        std::uint32_t last = 0;
+        for (bool more = true; more;) {
+            const HalfEdge ahead = following(hull);
+            more = sees(ahead);
+            after = t_.twin(t_.prev(hull));
+            last = t_.origin(hull);
+            push(t_.triangles[hull >> 2].link[hull & 3U], corner(last),
+                 corner(t_.destination(hull)));
+            release(hull >> 2);
+            hull = ahead;
+        }
+        run(corner(last));
+        closeOutside(first, last, before, after);
     }
 
-    /// A live triangle at the last inserted vertex, as a half-edge out of it.
-    HalfEdge lastSpoke() const { return Topology::halfEdge(firstNew_, 2); }
-
-private:
     /// A vertex relative to p.
     struct Corner
     {
@@ -206,8 +199,11 @@ private:
     /// An edge of the cavity's boundary from its predecessor's end to `end`.
     struct Edge
     {
-        std::uint32_t outer; ///< link: the half-edge beyond, with its constrained bit
-        Corner end;
+        std::uint32_t outer;  ///< link: the half-edge beyond, with its constrained bit
+        std::uint32_t vertex; ///< the end, relative to p
+        double x;
+        double y;
+        double lift;
         double cross; ///< start x end, positive
     };
 
@@ -224,19 +220,19 @@ private:
         return {vertex, x, y, x * x + y * y};
     }
 
-    void begin(std::uint32_t vertex)
+    /// Every insertion needs two slots more than it frees.
+    void begin(std::uint32_t vertex, Vec2 p)
     {
         vertex_ = vertex;
-        p_ = t_.points[vertex];
-        firstNew_ = kNone;
-        lastNew_ = kNone;
+        p_ = p;
         freed_ = kNone;
-        spokeConstrained_ = false;
+        release(newSlot());
+        release(newSlot());
     }
 
     void push(std::uint32_t outer, const Corner& from, const Corner& to)
     {
-        stack_.push({outer, to, cross(from, to)});
+        stack_.push(outer, to.vertex, to.x, to.y, to.lift, cross(from, to));
     }
 
     void release(std::uint32_t triangle)
@@ -245,13 +241,8 @@ private:
         freed_ = triangle;
     }
 
-    std::uint32_t allocate()
+    std::uint32_t newSlot()
     {
-        if (freed_ != kNone) {
-            const std::uint32_t slot = freed_;
-            freed_ = t_.triangles[slot].v[1];
-            return slot;
-        }
         if (!t_.freeList.empty()) {
             const std::uint32_t slot = t_.freeList.back();
             t_.freeList.pop_back();
@@ -261,88 +252,102 @@ private:
         return static_cast<std::uint32_t>(t_.triangles.size() - 1);
     }
 
-    void run()
+    /// The next of the freed slots.
+    std::uint32_t reuse()
     {
-        Corner a = start_;
-        while (!stack_.empty()) {
-            Edge& edge = stack_.top();
-            if (!expand(a, edge)) {
-                emit(a.vertex, edge.end.vertex, edge.outer);
-                a = edge.end;
-                stack_.pop();
-            }
-        }
-        start_ = a;
+        const std::uint32_t slot = freed_;
+        freed_ = t_.triangles[slot].v[1];
+        return slot;
     }
 
-    /// Replaces the edge from a by two if the triangle beyond it is in conflict.
-    bool expand(const Corner& a, Edge& edge)
+    /// Turns the edges on the stack, which start at `start`, into the triangles around p. What an
+    /// iteration needs is kept in locals: copies through memory would stall on store forwarding.
+    void run(const Corner& start)
     {
-        if ((edge.outer & Topology::kConstrainedBit) != 0) {
-            return false;
+        Topology::Triangle* const triangles = t_.triangles.data();
+        const Vec2* const points = t_.points.data();
+        const double px = p_.x;
+        const double py = p_.y;
+        std::uint32_t a = start.vertex;
+        double ax = start.x;
+        double ay = start.y;
+        double aLift = start.lift;
+        std::uint32_t freed = freed_;
+        std::uint32_t last = kNone;
+        while (!stack_.empty()) {
+            Edge edge = stack_.pop();
+            for (;;) {
+                const std::uint32_t beyond = (edge.outer & ~Topology::kConstrainedBit) >> 2;
+                const std::uint32_t side = edge.outer & 3U;
+                Topology::Triangle& triangle = triangles[beyond];
+                const std::uint32_t c = triangle.v[side];
+                if (c == Topology::kInfinite || (edge.outer & Topology::kConstrainedBit) != 0) {
+                    break;
+                }
+                const double cx = points[c].x - px;
+                const double cy = points[c].y - py;
+                const double cLift = cx * cx + cy * cy;
+                const double ac = ax * cy - ay * cx;
+                const double cb = cx * edge.y - cy * edge.x;
+                const double sum = aLift + edge.lift + cLift;
+                const double determinant = edge.lift * ac + aLift * cb - cLift * edge.cross;
+                if (!inConflict(determinant, sum * sum, a, edge.vertex, c)) {
+                    break;
+                }
+                stack_.push(triangle.link[Topology::prev3(side)], edge.vertex, edge.x, edge.y,
+                            edge.lift, cb);
+                edge = {triangle.link[Topology::next3(side)], c, cx, cy, cLift, ac};
+                triangle.v[1] = freed;
+                freed = beyond;
+            }
+            const std::uint32_t slot = freed;
+            freed = triangles[slot].v[1];
+            firstNew_ = last == kNone ? slot : firstNew_;
+            last = last == kNone ? slot : last; // closed by the caller
+            emit(triangles, slot, last, a, edge.vertex, edge.outer);
+            last = slot;
+            a = edge.vertex;
+            ax = edge.x;
+            ay = edge.y;
+            aLift = edge.lift;
         }
-        const std::uint32_t triangle = edge.outer >> 2;
-        const std::uint32_t side = edge.outer & 3U;
-        Topology::Triangle& beyond = t_.triangles[triangle];
-        if (beyond.v[side] == Topology::kInfinite) {
-            return false;
-        }
-        const Corner c = corner(beyond.v[side]);
-        const double ac = cross(a, c);
-        const double cb = cross(c, edge.end);
-        const double determinant = edge.end.lift * ac + a.lift * cb - c.lift * edge.cross;
-        const double sum = a.lift + edge.end.lift + c.lift;
-        const double square = sum * sum;
-        const double bound = kBound * square + exact::kUnderflow;
-        bool conflict = determinant > bound;
-        if (!conflict && !(-determinant > bound)) {
-            conflict = square < exactSquare_
-                ? determinant > 0.0
-                : exact::incircle(t_.points[c.vertex], t_.points[edge.end.vertex],
-                                  t_.points[a.vertex], p_)
-                    > 0;
-        }
-        if (!conflict) {
-            return false;
-        }
-        const std::uint32_t toC = beyond.link[Topology::next3(side)];
-        edge.outer = beyond.link[Topology::prev3(side)];
-        edge.cross = cb;
-        beyond.v[1] = freed_;
-        freed_ = triangle;
-        stack_.push({toC, c, ac});
-        return true;
+        lastNew_ = last;
+        freed_ = freed;
     }
 
     /// Writes the triangle (p, a, b) against the outer half-edge and its predecessor around p.
-    void emit(std::uint32_t a, std::uint32_t b, std::uint32_t outer)
+    void emit(Topology::Triangle* triangles, std::uint32_t slot, std::uint32_t predecessor,
+              std::uint32_t a, std::uint32_t b, std::uint32_t outer)
     {
-        const std::uint32_t slot = allocate();
-        Topology::Triangle& triangle = t_.triangles[slot];
+        Topology::Triangle& triangle = triangles[slot];
         triangle.v[0] = vertex_;
         triangle.v[1] = a;
         triangle.v[2] = b;
         triangle.link[0] = outer;
+        triangle.link[2] = Topology::halfEdge(predecessor, 1);
+        triangles[predecessor].link[1] = Topology::halfEdge(slot, 2);
         const HalfEdge other = outer & ~Topology::kConstrainedBit;
-        t_.triangles[other >> 2].link[other & 3U]
+        triangles[other >> 2].link[other & 3U]
             = Topology::halfEdge(slot, 0) | (outer & Topology::kConstrainedBit);
-        if (lastNew_ == kNone) {
-            firstNew_ = slot;
-        }
-        else {
-            t_.join(Topology::halfEdge(lastNew_, 1), Topology::halfEdge(slot, 2),
-                    spokeConstrained_);
-            spokeConstrained_ = false;
-        }
-        lastNew_ = slot;
         if constexpr (KeepIncident) {
             t_.incident[a] = Topology::halfEdge(slot, 0);
         }
     }
 
-    void closeInside(bool constrained)
+    /// The sign of the determinant is positive; near zero by exact arithmetic.
+    bool inConflict(double determinant, double square, std::uint32_t a, std::uint32_t b,
+                    std::uint32_t c) const
     {
-        t_.join(Topology::halfEdge(lastNew_, 1), Topology::halfEdge(firstNew_, 2), constrained);
+        const double bound = kBound * square + exact::kUnderflow;
+        if (std::fabs(determinant) > bound || square < exactSquare_) {
+            return determinant > 0.0;
+        }
+        return exact::incircle(t_.points[c], t_.points[b], t_.points[a], p_) > 0;
+    }
+
+    void closeInside()
+    {
+        t_.join(Topology::halfEdge(lastNew_, 1), Topology::halfEdge(firstNew_, 2));
         if constexpr (KeepIncident) {
             t_.incident[vertex_] = Topology::halfEdge(firstNew_, 2);
         }
@@ -350,15 +355,14 @@ private:
 
     /// p becomes a hull vertex between first and last: two new ghosts, joined to the ghosts that
     /// stay.
-    void closeOutside(std::uint32_t first, std::uint32_t last, HalfEdge before, HalfEdge after,
-                      bool constrained)
+    void closeOutside(std::uint32_t first, std::uint32_t last, HalfEdge before, HalfEdge after)
     {
-        const std::uint32_t ahead = allocate();
-        const std::uint32_t behind = allocate();
+        const std::uint32_t ahead = reuse();
+        const std::uint32_t behind = reuse();
         t_.triangles[ahead] = {{Topology::kInfinite, last, vertex_}, {}};
         t_.triangles[behind] = {{Topology::kInfinite, vertex_, first}, {}};
-        t_.join(Topology::halfEdge(ahead, 0), Topology::halfEdge(firstNew_, 2), constrained);
-        t_.join(Topology::halfEdge(behind, 0), Topology::halfEdge(lastNew_, 1), constrained);
+        t_.join(Topology::halfEdge(ahead, 0), Topology::halfEdge(firstNew_, 2));
+        t_.join(Topology::halfEdge(behind, 0), Topology::halfEdge(lastNew_, 1));
         t_.join(Topology::halfEdge(ahead, 1), Topology::halfEdge(behind, 2));
         t_.join(Topology::halfEdge(ahead, 2), after);
         t_.join(Topology::halfEdge(behind, 1), before);
@@ -369,25 +373,51 @@ private:
         }
     }
 
-    void insertOnHullEdge(std::uint32_t vertex, HalfEdge edge)
+    void splitEdge(HalfEdge edge, HalfEdge twin, std::uint32_t u, std::uint32_t v)
     {
-        begin(vertex);
-        const bool constrained = t_.isConstrained(edge);
+        const Topology::Triangle& left = t_.triangles[edge >> 2];
+        const Topology::Triangle& right = t_.triangles[twin >> 2];
+        const std::uint32_t i = edge & 3U;
+        const std::uint32_t j = twin & 3U;
+        const Corner start = corner(u);
+        const Corner end = corner(v);
+        const Corner above = corner(left.v[i]);
+        const Corner below = corner(right.v[j]);
+        push(left.link[Topology::prev3(i)], above, start);
+        push(left.link[Topology::next3(i)], end, above);
+        push(right.link[Topology::prev3(j)], below, end);
+        push(right.link[Topology::next3(j)], start, below);
+        release(edge >> 2);
+        release(twin >> 2);
+        run(start);
+        closeInside();
+    }
+
+    void splitHullEdge(HalfEdge edge, std::uint32_t u, std::uint32_t v)
+    {
         const HalfEdge hull = t_.twin(edge);
         const HalfEdge after = t_.twin(t_.prev(hull));
         const HalfEdge before = t_.twin(t_.next(hull));
-        const Topology::Triangle old = t_.triangles[edge >> 2];
+        const Topology::Triangle& old = t_.triangles[edge >> 2];
         const std::uint32_t i = edge & 3U;
-        const Corner u = corner(t_.origin(edge));
-        const Corner v = corner(t_.destination(edge));
-        const Corner c = corner(old.v[i]);
+        const Corner start = corner(v);
+        const Corner apex = corner(old.v[i]);
+        push(old.link[Topology::prev3(i)], apex, corner(u));
+        push(old.link[Topology::next3(i)], start, apex);
         release(edge >> 2);
         release(hull >> 2);
-        push(old.link[Topology::prev3(i)], c, u);
-        push(old.link[Topology::next3(i)], v, c);
-        start_ = v;
-        run();
-        closeOutside(u.vertex, v.vertex, before, after, constrained);
+        run(start);
+        closeOutside(u, v, before, after);
+    }
+
+    /// Sets the bit of the edge from p to one of its new neighbors.
+    void constrainSpoke(std::uint32_t end)
+    {
+        HalfEdge spoke = lastSpoke();
+        while (t_.destination(spoke) != end) {
+            spoke = t_.nextAround(spoke);
+        }
+        t_.setConstrained(spoke, true);
     }
 
     /// The edge of a ghost that lies on the hull.
@@ -412,12 +442,10 @@ private:
     double exactSquare_;
     EdgeStack<Edge> stack_;
     Vec2 p_;
-    Corner start_ {};
     std::uint32_t vertex_ = 0;
-    std::uint32_t firstNew_ = kNone;
-    std::uint32_t lastNew_ = kNone;
-    std::uint32_t freed_ = kNone;  ///< slots of removed triangles, chained through v[1]
-    bool spokeConstrained_ = false; ///< of the join before the next new triangle
+    std::uint32_t firstNew_ = 0; ///< the new triangles at p, counter-clockwise from first to last
+    std::uint32_t lastNew_ = 0;
+    std::uint32_t freed_ = kNone; ///< slots to be used again, chained through v[1]
 };
 
 } // namespace tessera

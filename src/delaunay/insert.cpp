@@ -57,7 +57,7 @@ std::uint32_t insertPointAt(Triangulation& t, Vec2 p, const Location& where)
     }
     const std::uint32_t vertex = appendVertex(t, p);
     Cavity<true> cavity(t);
-    cavity.insert(vertex, where.kind == Location::Kind::Edge, where.edge);
+    cavity.insert(vertex, p, where.kind == Location::Kind::Edge, where.edge);
     return vertex;
 }
 

@@ -10,42 +10,13 @@
 // Cost: about the square root of the number of triangles between hint and p.
 
 #include "delaunay/delaunay.h"
+#include "delaunay/place.h"
 #include "predicates/predicates.h"
 
 namespace tessera
 {
 namespace
 {
-
-struct Signs
-{
-    int sign[3]; ///< orientation of p to each edge
-};
-
-/// All signs are >= 0: p is in the closed triangle.
-Location place(std::uint32_t triangle, const Signs& signs)
-{
-    int zeros = 0;
-    std::uint32_t zero = 0;
-    std::uint32_t positive = 0;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        if (signs.sign[i] == 0) {
-            ++zeros;
-            zero = i;
-        }
-        else {
-            positive = i;
-        }
-    }
-    if (zeros == 0) {
-        return {Location::Kind::Triangle, Topology::halfEdge(triangle, 0)};
-    }
-    if (zeros == 1) {
-        return {Location::Kind::Edge, Topology::halfEdge(triangle, zero)};
-    }
-    // p is the vertex opposite the one edge that does not contain it.
-    return {Location::Kind::Vertex, Topology::prev(Topology::halfEdge(triangle, positive))};
-}
 
 int signOf(const Triangulation& t, HalfEdge edge, Vec2 p)
 {
@@ -60,12 +31,12 @@ Location scan(const Triangulation& t, Vec2 p)
         if (!t.isFinite(triangle)) {
             continue;
         }
-        Signs signs {};
+        int sign[3] = {};
         bool inside = true;
         for (std::uint32_t i = 0; i < 3; ++i) {
             const HalfEdge edge = Topology::halfEdge(triangle, i);
-            signs.sign[i] = signOf(t, edge, p);
-            if (signs.sign[i] < 0) {
+            sign[i] = signOf(t, edge, p);
+            if (sign[i] < 0) {
                 inside = false;
                 if (t.apex(t.twin(edge)) == Topology::kInfinite) {
                     outside.edge = t.twin(edge);
@@ -73,7 +44,7 @@ Location scan(const Triangulation& t, Vec2 p)
             }
         }
         if (inside) {
-            return place(triangle, signs);
+            return placeInTriangle(triangle, sign);
         }
     }
     return outside;
@@ -94,7 +65,7 @@ Location locate(const Triangulation& t, Vec2 p, HalfEdge hint)
     std::uint32_t entry = 3;
     for (std::size_t step = 0; step <= t.triangles.size(); ++step) {
         random = random * 1664525U + 1013904223U;
-        Signs signs {{1, 1, 1}};
+        int sign[3] = {1, 1, 1};
         HalfEdge exit = Topology::kDead;
         std::uint32_t i = (random >> 16) % 3U;
         for (int k = 0; k < 3; ++k, i = Topology::next3(i)) {
@@ -102,14 +73,14 @@ Location locate(const Triangulation& t, Vec2 p, HalfEdge hint)
                 continue; // crossed from its far side: p is strictly on this one
             }
             const HalfEdge edge = Topology::halfEdge(triangle, i);
-            signs.sign[i] = signOf(t, edge, p);
-            if (signs.sign[i] < 0) {
+            sign[i] = signOf(t, edge, p);
+            if (sign[i] < 0) {
                 exit = edge;
                 break;
             }
         }
         if (exit == Topology::kDead) {
-            return place(triangle, signs);
+            return placeInTriangle(triangle, sign);
         }
         const HalfEdge other = t.twin(exit);
         if (t.apex(other) == Topology::kInfinite) {

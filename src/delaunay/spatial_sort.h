@@ -10,9 +10,10 @@
 namespace tessera
 {
 
-/// Order in which to insert points: a biased randomized insertion order (N. Amenta, S. Choi,
-/// G. Rote, "Incremental constructions con BRIO", SoCG 2003), each round along a Hilbert curve, so
-/// that consecutive points are close. Deterministic. Finite points; O(n).
-std::vector<std::uint32_t> insertionOrder(std::span<const Vec2> points);
+/// Sorts points for insertion: a biased randomized insertion order (N. Amenta, S. Choi, G. Rote,
+/// "Incremental constructions con BRIO", SoCG 2003), each round along a Hilbert curve, so that
+/// consecutive points are close. Fills `sorted` (as many) with the points in that order and returns
+/// the index that each had. Deterministic. Finite points; O(n).
+std::vector<std::uint32_t> sortForInsertion(std::span<const Vec2> points, std::span<Vec2> sorted);
 
 } // namespace tessera

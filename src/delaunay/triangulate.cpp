@@ -3,17 +3,25 @@
 // Delaunay triangulation of a point set by Bowyer–Watson insertion (cavity.h) in a biased
 // randomized order along a Hilbert curve (spatial_sort.h).
 //
+// The points are copied in insertion order, which numbers the vertices, so that neighbors in the
+// plane are neighbors in memory; each point is located by a walk from the triangle made last. A
+// visibility walk cannot cycle in a Delaunay triangulation, whichever edge it takes. The vertices'
+// incident half-edges are filled in at the end.
+//
 // Guarantees: exact, hence total: any finite points in range, duplicates, collinear and cocircular
 // sets included; deterministic; ties among cocircular points are broken by the insertion order.
-// Complexity: O(n log n) expected over the random rounds.
+// Complexity: O(n log n) expected over the random rounds. Memory: 80 bytes a point.
 
 #include "delaunay/cavity.h"
 #include "delaunay/delaunay.h"
+#include "delaunay/place.h"
 #include "delaunay/spatial_sort.h"
 #include "delaunay/start.h"
+#include "predicates/bits.h"
 #include "predicates/range.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace tessera
 {
@@ -21,6 +29,47 @@ namespace
 {
 
 constexpr std::size_t kMaxPoints = (std::size_t {1} << 28) - 2; ///< 2^29 triangles
+constexpr std::size_t kReportEvery = 4096;
+
+/// What the bounding box and the common unit of all coordinates say about rounding.
+struct StaticFilter
+{
+    double orientBound; ///< a cross product of relative vectors beyond it has the right sign
+    double exactSquare; ///< see cavity.h
+};
+
+/// The e of the greatest power of two 2^e that divides all coordinates; limit - 1 if below limit.
+int commonUnit(std::span<const Vec2> points, int limit)
+{
+    int unit = std::numeric_limits<int>::max();
+    for (const Vec2 p : points) {
+        for (const double value : {p.x, p.y}) {
+            unit = value != 0.0 ? std::min(unit, lowestBit(value)) : unit;
+        }
+        if (unit < limit) {
+            return limit - 1;
+        }
+    }
+    return unit;
+}
+
+StaticFilter makeStaticFilter(std::span<const Vec2> points)
+{
+    Box2 box;
+    for (const Vec2 p : points) {
+        box.add(p);
+    }
+    const double side = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
+    const double bound
+        = 2.0 * exact::kOrientBound * (1.0 + 8.0 * exact::kUnit) * side * side + exact::kUnderflow;
+    const int size = exponentOf(side) + 1;
+    const int unit = commonUnit(points, size - 48);
+    if (unit < size - 48) {
+        return {bound, 0.0};
+    }
+    // Below 26 bits both products and their difference are exact.
+    return {size - unit <= 26 ? 0.0 : bound, std::ldexp(1.0, 4 * unit + 50)};
+}
 
 class BulkBuilder
 {
@@ -28,32 +77,32 @@ public:
     BulkBuilder(std::span<const Vec2> points, Execution& execution)
         : points_(points)
         , execution_(execution)
-        , order_(insertionOrder(points))
     {
+        t().points.resize(points.size() + 1);
+        order_ = sortForInsertion(points, std::span(t().points).subspan(1));
         result_.vertexOfPoint.resize(points.size());
-        t().points.reserve(points.size() + 1);
-        t().incident.reserve(points.size() + 1);
-        t().points.push_back({});
-        t().incident.push_back(Topology::kDead);
     }
 
     DelaunayResult run()
     {
-        if (!start()) {
-            addCollinear();
-            return std::move(result_);
+        if (start()) {
+            insertAll();
+            fillVertexOfPoint();
+            fillIncident();
         }
-        t().triangles.reserve(2 * points_.size() + 2);
-        addAll();
+        else {
+            addCollinear();
+        }
         return std::move(result_);
     }
 
 private:
     Triangulation& t() { return result_.triangulation; }
-    Vec2 ordered(std::size_t i) const { return points_[order_[i]]; }
+    /// The points in insertion order; vertex i + 1 as long as there are no duplicates.
+    Vec2 ordered(std::size_t i) { return t().points[i + 1]; }
 
-    /// Makes the first triangle and moves its points to the front of the order. False if all
-    /// points are collinear.
+    /// Makes the first triangle from the first three points, which it first moves there. False if
+    /// all points are collinear.
     bool start()
     {
         const std::size_t n = order_.size();
@@ -68,18 +117,26 @@ private:
         if (third >= n) {
             return false;
         }
-        const auto first = order_.begin();
-        std::rotate(first + 1, first + static_cast<std::ptrdiff_t>(second),
-                    first + static_cast<std::ptrdiff_t>(second) + 1);
-        std::rotate(first + 2, first + static_cast<std::ptrdiff_t>(third),
-                    first + static_cast<std::ptrdiff_t>(third) + 1);
-        for (std::size_t i = 0; i < 3; ++i) {
-            result_.vertexOfPoint[order_[i]] = appendVertex(t(), ordered(i));
-        }
+        moveTo(1, second);
+        moveTo(2, third);
+        t().incident.assign(4, Topology::kDead);
+        t().triangles.reserve(2 * n);
         startTriangles(t(), 1, 2, 3);
         return true;
     }
 
+    void moveTo(std::size_t to, std::size_t from)
+    {
+        const auto rotate = [=](auto begin) {
+            std::rotate(begin + static_cast<std::ptrdiff_t>(to),
+                        begin + static_cast<std::ptrdiff_t>(from),
+                        begin + static_cast<std::ptrdiff_t>(from) + 1);
+        };
+        rotate(order_.begin());
+        rotate(t().points.begin() + 1);
+    }
+
+    /// No triangles: the vertices along the line.
     void addCollinear()
     {
         std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -87,43 +144,122 @@ private:
             const Vec2 q = points_[b];
             return p.x != q.x ? p.x < q.x : (p.y != q.y ? p.y < q.y : a < b);
         });
+        t().points.clear();
         for (std::size_t i = 0; i < order_.size(); ++i) {
-            if (i > 0 && ordered(i) == ordered(i - 1)) {
-                ++result_.duplicates;
-                result_.vertexOfPoint[order_[i]] = result_.vertexOfPoint[order_[i - 1]];
-            }
-            else {
-                result_.vertexOfPoint[order_[i]] = appendVertex(t(), ordered(i));
-            }
+            const Vec2 p = points_[order_[i]];
+            const bool duplicate = i > 0 && p == t().points.back();
+            result_.duplicates += duplicate ? 1 : 0;
+            result_.vertexOfPoint[order_[i]] = duplicate
+                ? static_cast<std::uint32_t>(t().points.size() - 1)
+                : appendVertex(t(), p);
         }
     }
 
-    void addAll()
+    void insertAll()
     {
-        Cavity<true> cavity(t());
+        const std::size_t n = order_.size();
+        filter_ = makeStaticFilter(points_);
+        Cavity<false> cavity(t(), filter_.exactSquare);
+        std::uint32_t vertex = 4;
         HalfEdge hint = 0;
-        for (std::size_t i = 3; i < order_.size(); ++i) {
-            if (i % 4096 == 0) {
-                execution_.report(static_cast<double>(i) / static_cast<double>(order_.size()));
+        for (std::size_t i = 3; i < n; ++i) {
+            if (i % kReportEvery == 0) {
+                execution_.report(static_cast<double>(i) / static_cast<double>(n));
             }
             const Vec2 p = ordered(i);
-            const Location where = locate(t(), p, hint);
+            const Location where = walk(p, Topology::triangleOf(hint));
             if (where.kind == Location::Kind::Vertex) {
-                ++result_.duplicates;
-                hint = where.edge;
-                result_.vertexOfPoint[order_[i]] = t().origin(where.edge);
+                duplicates_.push_back({static_cast<std::uint32_t>(i), t().origin(where.edge)});
                 continue;
             }
-            const std::uint32_t vertex = appendVertex(t(), p);
-            result_.vertexOfPoint[order_[i]] = vertex;
-            cavity.insert(vertex, where.kind == Location::Kind::Edge, where.edge);
+            if (!duplicates_.empty()) {
+                t().points[vertex] = p; // they have left room
+            }
+            cavity.insert(vertex, p, where.kind == Location::Kind::Edge, where.edge);
             hint = cavity.lastSpoke();
+            ++vertex;
+        }
+        t().points.resize(vertex);
+    }
+
+    /// Visibility walk. The static filter decides most steps.
+    Location walk(Vec2 p, std::uint32_t triangle)
+    {
+        const double bound = filter_.orientBound;
+        for (;;) {
+            const Topology::Triangle& record = t().triangles[triangle];
+            const Vec2 a = t().points[record.v[0]] - p;
+            const Vec2 b = t().points[record.v[1]] - p;
+            const Vec2 c = t().points[record.v[2]] - p;
+            const double side[3] = {cross(b, c), cross(c, a), cross(a, b)};
+            std::uint32_t exit = side[1] < side[0] ? 1 : 0;
+            exit = side[2] < side[exit] ? 2 : exit;
+            if (side[exit] > bound) {
+                return {Location::Kind::Triangle, Topology::halfEdge(triangle, 0)};
+            }
+            if (side[exit] >= -bound) {
+                int sign[3];
+                exit = exactSigns(p, triangle, sign);
+                if (exit == 3) {
+                    return placeInTriangle(triangle, sign);
+                }
+            }
+            const HalfEdge across = t().twin(Topology::halfEdge(triangle, exit));
+            if (t().apex(across) == Topology::kInfinite) {
+                return {Location::Kind::Triangle, across};
+            }
+            triangle = Topology::triangleOf(across);
+        }
+    }
+
+    /// The exact orientations of p to the sides; returns the first negative one or 3.
+    std::uint32_t exactSigns(Vec2 p, std::uint32_t triangle, int (&sign)[3])
+    {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const HalfEdge edge = Topology::halfEdge(triangle, i);
+            sign[i] = orient2d(t().points[t().origin(edge)], t().points[t().destination(edge)], p);
+            if (sign[i] < 0) {
+                return i;
+            }
+        }
+        return 3;
+    }
+
+    void fillVertexOfPoint()
+    {
+        result_.duplicates = duplicates_.size();
+        duplicates_.push_back({static_cast<std::uint32_t>(order_.size()), 0}); // ends the list
+        std::size_t met = 0;
+        for (std::size_t i = 0; i < order_.size(); ++i) {
+            const bool duplicate = i == duplicates_[met].position;
+            result_.vertexOfPoint[order_[i]] = duplicate
+                ? duplicates_[met].vertex
+                : static_cast<std::uint32_t>(i + 1 - met);
+            met += duplicate ? 1 : 0;
+        }
+    }
+
+    void fillIncident()
+    {
+        t().incident.assign(t().points.size(), Topology::kDead);
+        for (std::uint32_t triangle = 0; triangle < t().triangles.size(); ++triangle) {
+            const auto& v = t().triangles[triangle].v;
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                t().incident[v[i]] = Topology::halfEdge(triangle, Topology::prev3(i));
+            }
         }
     }
 
     std::span<const Vec2> points_;
     Execution& execution_;
     std::vector<std::uint32_t> order_;
+    struct Duplicate
+    {
+        std::uint32_t position; ///< in order_
+        std::uint32_t vertex;
+    };
+    StaticFilter filter_ {};
+    std::vector<Duplicate> duplicates_;
     DelaunayResult result_;
 };
 

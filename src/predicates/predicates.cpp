@@ -18,10 +18,10 @@
 #include "predicates/predicates.h"
 
 #include "predicates/big_integer.h"
+#include "predicates/bits.h"
 #include "predicates/expansion.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <initializer_list>
 
@@ -41,9 +41,8 @@ ExponentRange exponentRange(std::initializer_list<double> values)
 {
     ExponentRange range;
     for (const double value : values) {
-        const auto bits = std::bit_cast<std::uint64_t>(value);
-        if ((bits << 1) != 0) {
-            const int exponent = std::max(static_cast<int>((bits >> 52) & 0x7ff), 1) - 1023;
+        if (value != 0.0) {
+            const int exponent = exponentOf(value);
             range.min = std::min(range.min, exponent);
             range.max = std::max(range.max, exponent);
         }
@@ -100,17 +99,6 @@ int differenceOfProducts(TwoPart a, TwoPart b, TwoPart c, TwoPart d)
     const Expansion<2> ec(c);
     const Expansion<2> ed(d);
     return (ea * eb - ec * ed).sign();
-}
-
-/// The greatest power of two that divides a nonzero double, as its exponent.
-int lowestBit(double value)
-{
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    const int exponent = std::max(static_cast<int>((bits >> 52) & 0x7ff), 1) - 1075;
-    const bool normal = ((bits >> 52) & 0x7ff) != 0;
-    const std::uint64_t mantissa
-        = (bits & 0xfffffffffffffULL) | (normal ? 0x10000000000000ULL : 0ULL);
-    return exponent + std::countr_zero(mantissa);
 }
 
 __extension__ using Int128 = __int128;
