@@ -85,6 +85,7 @@ private:
     bool insertSteinerPoints(std::uint32_t s);
     bool insertSteinerPoint(std::uint32_t s, std::uint32_t from, HalfEdge edge);
     bool removeSteinerPoints(std::uint32_t s);
+    void removeSteinerPointsBetween(std::size_t first, std::size_t last);
     void constrainIfThere(std::uint32_t x, std::uint32_t y);
     void countSteinerPoint(std::uint32_t vertex);
 

@@ -6,6 +6,8 @@
 #include "predicates/predicates.h"
 #include "recover/boundary_recovery.h"
 
+#include <vector>
+
 namespace tessera
 {
 
@@ -79,29 +81,40 @@ bool BoundaryRecovery::insertSteinerPoint(std::uint32_t s, std::uint32_t from, H
 /// the segment's chain.
 bool BoundaryRecovery::removeSteinerPoints(std::uint32_t s)
 {
-    std::size_t kept = 0;
+    std::size_t first = 0;
     for (std::size_t i = 1; i < way_.size(); ++i) {
-        const WayPoint point = way_[i];
-        if (point.kept) {
-            if (!edit_.constrain(way_[kept].vertex, point.vertex)) {
+        if (way_[i].kept) {
+            removeSteinerPointsBetween(first, i);
+            if (!edit_.constrain(way_[first].vertex, way_[i].vertex)) {
                 return false;
             }
-            chains_.append(s, point.vertex);
-            way_[++kept] = point;
-            continue;
-        }
-        mesh_.forEachAround(point.vertex,
-                            [this](HalfEdge h) { mesh_.setConstrained(h, false); });
-        edit_.removeVertex(point.vertex);
-        // Where rounding puts something in the way of this piece, the next one does without it.
-        edit_.constrain(way_[kept].vertex, way_[i + 1].vertex);
-        ++report_.steinerRemoved;
-        if (observer_ != nullptr) {
-            observer_->steinerRemoved(mesh_, point.vertex);
+            chains_.append(s, way_[i].vertex);
+            first = i;
         }
     }
-    way_.resize(kept + 1);
+    std::erase_if(way_, [](const WayPoint& point) { return !point.kept; });
     return true;
+}
+
+/// Removes all points between two of the way, each when those beside it are its neighbors in turn:
+/// halving keeps the cavities small, where one after the other would make ever longer pieces.
+void BoundaryRecovery::removeSteinerPointsBetween(std::size_t first, std::size_t last)
+{
+    if (last - first < 2) {
+        return;
+    }
+    const std::size_t middle = first + (last - first) / 2;
+    removeSteinerPointsBetween(first, middle);
+    removeSteinerPointsBetween(middle, last);
+    const std::uint32_t vertex = way_[middle].vertex;
+    mesh_.forEachAround(vertex, [this](HalfEdge h) { mesh_.setConstrained(h, false); });
+    edit_.removeVertex(vertex);
+    // Where rounding puts something in the way of this piece, a longer one does without it.
+    edit_.constrain(way_[first].vertex, way_[last].vertex);
+    ++report_.steinerRemoved;
+    if (observer_ != nullptr) {
+        observer_->steinerRemoved(mesh_, vertex);
+    }
 }
 
 void BoundaryRecovery::constrainIfThere(std::uint32_t x, std::uint32_t y)
