@@ -151,6 +151,28 @@ def test_constraint_edges(document):
     assert not mesh.Constraints
 
 
+def test_another_sketch_as_constraints(document):
+    sketch, line = sketches.plate(document), sketches.new_sketch(document, "Stiffener")
+    sketches.add_polygon(line, [(0, 5), (100, 5)], closed=False)
+    document.recompute()
+    panel = window.open_panel(sketch)
+    window.select(sketch, line)
+    panel.widget("addButton").click()
+    items = panel.widget("constraintList")
+    assert [items.item(i).text() for i in range(items.count())] == ["Stiffener"]
+    panel.mesh()
+    (mesh,) = window.planar_meshes(document)
+    fem = mesh.FemMesh
+    groups = {fem.getGroupName(g): g for g in fem.Groups}
+    (name,) = [name for name in groups if name.startswith("Stiffener")]
+    for edge in fem.getGroupElements(groups[name]):
+        assert all(fem.getNodeById(n).y == pytest.approx(5.0) for n in fem.getElementNodes(edge))
+    revision = mesh.MeshRevision
+    panel.press("Ok")
+    window.double_click(mesh).press("Ok")
+    assert mesh.MeshRevision == revision
+
+
 def test_fill(document):
     panel = window.open_panel(sketches.plate(document))
     panel.choose("fillField", "All")

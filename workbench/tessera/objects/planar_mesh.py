@@ -132,7 +132,7 @@ PROPERTIES = (
         "Regions",
         "App::PropertyInteger",
         "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Number of connected parts, separated by the curves"),
+        QT_TRANSLATE_NOOP("App::Property", "Number of connected parts, separated by boundaries"),
         None,
         _READ_ONLY,
     ),

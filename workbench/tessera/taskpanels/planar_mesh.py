@@ -134,9 +134,12 @@ class PlanarMeshPanel:
 
     def _add_constraints(self):
         known = {(owner.Name, name) for owner, name in self._constraints}
+        sources = {target.source.Name for target in self._targets if target.source}
         for owner, names in selected_edges():
             self._constraints += [
-                (owner, name) for name in names if (owner.Name, name) not in known
+                (owner, name)
+                for name in names
+                if (owner.Name, name) not in known and (name or owner.Name not in sources)
             ]
         self._list_constraints()
 
@@ -148,7 +151,7 @@ class PlanarMeshPanel:
     def _list_constraints(self):
         self.form.constraintList.clear()
         for owner, name in self._constraints:
-            self.form.constraintList.addItem(f"{owner.Label}: {name}")
+            self.form.constraintList.addItem(f"{owner.Label}: {name}" if name else owner.Label)
         self.form.constraintList.setVisible(bool(self._constraints))
         self.form.removeButton.setEnabled(bool(self._constraints))
 

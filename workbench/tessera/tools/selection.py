@@ -21,10 +21,13 @@ def selected_sources():
 
 
 def selected_edges():
-    """[(object, names of its selected edges)]."""
+    """[(object, names of its selected edges)]; "" stands for all of an object that is selected as a
+    whole."""
     edges = []
     for item in FreeCADGui.Selection.getSelectionEx():
         names = [name for name in item.SubElementNames if name.startswith("Edge")]
+        if not item.SubElementNames and item.Object.isDerivedFrom("Part::Feature"):
+            names = [""]
         if names:
             edges.append((item.Object, tuple(names)))
     return edges
