@@ -258,7 +258,7 @@ private:
         for (std::uint32_t& v : delaunay_.vertexOfPoint) {
             v = recovered_.vertexMap[v];
         }
-        result_.report.recovery = joined(arranged_.straight, recovered_.report);
+        result_.report.recovery = joined(arranged_.crossed, recovered_.report);
         watch_.lap(result_.report.seconds.recover);
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arrange/arrange.h"
 
+#include "arrange/cross_curves.h"
 #include "arrange/cross_straight.h"
 #include "arrange/weld.h"
 #include "curve/curve_tools.h"
@@ -110,10 +111,12 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
     requireValid(network);
     report = {};
     const std::vector<std::uint8_t> used = usedPoints(network);
-    // Without a tolerance even equal points stay apart: a .poly is read by point index.
+    // Without a tolerance even equal points of straight curves stay apart: a .poly is read by point
+    // index. Ends of curved ones are never more exact than the curve's rounding.
+    const double tolerance = std::max(options.weld, meetingDistance(network, options.weld));
     const std::vector<std::uint8_t> none(network.points.size(), 0);
-    const WeldResult weld = weldPoints(network.points, options.weld > 0.0 ? used : none,
-                                       options.weld, execution);
+    const WeldResult weld =
+        weldPoints(network.points, tolerance > 0.0 ? used : none, tolerance, execution);
     for (const std::uint32_t p : weld.chainsLeft) {
         report.chainsLeft.push_back({network.points[p]});
     }
@@ -132,11 +135,13 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
     for (std::size_t c = 0; c < result.curves.size(); ++c) {
         report.parent.emplace_back(c);
     }
-    addMessages(options.weld, report);
+    addMessages(tolerance, report);
     report.firstCrossing = result.points.size();
+    weldPointsOntoCurves(result, options, report, execution);
     if (options.crossStraight) {
         crossStraightCurves(result, options, report, execution);
     }
+    crossCurves(result, options, report, execution);
     return result;
 }
 

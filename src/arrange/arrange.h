@@ -15,7 +15,8 @@ namespace tessera
 
 struct ArrangeOptions
 {
-    /// End points closer than this become one, in the input's unit; >= 0. 0: none are moved.
+    /// End points closer than this become one, in the input's unit; >= 0. 0: none are moved, except
+    /// by rounding (1e-12 of the greatest coordinate) if some curve is not straight.
     double weld = 0.0;
     /// Split straight curves where they cross, see cross_straight.h; false leaves all crossings to
     /// the recovery of the constraints.
@@ -36,14 +37,16 @@ struct ArrangeReport
     std::vector<PointId> pointOf;
     /// Points of the result from here on were made at crossings.
     std::size_t firstCrossing = 0;
-    RecoveryReport straight; ///< of crossing the straight curves
+    /// Of crossing the curves: crossings are new points, touches are points on a curve's inside.
+    RecoveryReport crossed;
     std::vector<std::string> messages; ///< for the user
 };
 
-/// Welds end points, settles Role::Chain, crosses straight curves if asked, and leaves out the
-/// points that no curve of a role other than Ignored and no embedded point uses. Validates the
-/// network first: throws Error(InvalidInput); Error(InvalidOption) for a tolerance that is negative
-/// or not finite.
+/// Welds end points to each other and onto curves, settles Role::Chain, cuts curves where they
+/// cross, touch and overlap (straight ones among themselves if asked), and leaves out the points
+/// that no curve of a role other than Ignored and no embedded point uses. Validates the network
+/// first: throws Error(InvalidInput); Error(InvalidOption) for a tolerance that is negative or not
+/// finite.
 CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
                      ArrangeReport& report, Execution& execution);
 

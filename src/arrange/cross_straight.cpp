@@ -69,7 +69,9 @@ void crossStraightCurves(CurveNetwork& network, const ArrangeOptions& options,
                          ArrangeReport& report, Execution& execution)
 {
     const StraightPart part = recoverStraight(network, options, execution);
-    report.straight = part.recovered.report;
+    const std::size_t touches = report.crossed.touches;
+    report.crossed = part.recovered.report;
+    report.crossed.touches += touches;
     const std::vector<PointId> pointOf = pointsOfVertices(network, part);
 
     std::vector<NetworkCurve> pieces;

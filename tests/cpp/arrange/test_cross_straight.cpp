@@ -58,7 +58,7 @@ TEST(CrossStraight, PiecesRunFromEndToEndThroughCrossings)
             crossings += side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b) ? 1 : 0;
         }
     }
-    EXPECT_EQ(report.straight.crossings, crossings);
+    EXPECT_EQ(report.crossed.crossings, crossings);
     EXPECT_EQ(result.points.size(), network.points.size() + crossings);
     EXPECT_EQ(report.firstCrossing, network.points.size());
     EXPECT_EQ(result.curves.size(), network.curves.size() + 2 * crossings);
@@ -93,13 +93,13 @@ TEST(CrossStraight, TouchesAndOverlapsSplitBoth)
     addLine(network, {2, 0}, {2, 3});  // touches both
     ArrangeReport report;
     const CurveNetwork result = arranged(network, report);
-    EXPECT_EQ(report.straight.crossings, 0U);
+    EXPECT_EQ(report.crossed.crossings, 0U);
     EXPECT_EQ(result.points.size(), network.points.size());
     // 0-1, 1-2, 2-4; 1-2, 2-4, 4-6; and the third as it is.
     EXPECT_EQ(result.curves.size(), 7U);
 }
 
-TEST(CrossStraight, CurvesOnAGeometryStay)
+TEST(CrossStraight, CurvesOnAGeometryAreCrossedWithoutBeingAsked)
 {
     CurveNetwork network;
     network.operands.push_back({"mixed"});
@@ -108,9 +108,15 @@ TEST(CrossStraight, CurvesOnAGeometryStay)
     network.curves.push_back({circle, start, start, OperandId(0U), Role::Boundary, 0, 0});
     addLine(network, {-2, 0.5}, {2, 0.5});
     ArrangeReport report;
-    const CurveNetwork result = arranged(network, report);
-    ASSERT_EQ(result.curves.size(), 2U);
-    EXPECT_EQ(result.curves[0].geometry, circle);
+    addLine(network, {-2, 3}, {2, 3});
+    addLine(network, {0, 2}, {0, 4});
+    Execution execution;
+    const CurveNetwork result = arrange(network, {}, report, execution);
+    // The circle in three, its line in three, the other two lines whole.
+    EXPECT_EQ(result.curves.size(), 8U);
+    EXPECT_EQ(report.crossed.crossings, 2U);
+    EXPECT_EQ(arranged(network, report).curves.size(), 10U);
+    EXPECT_EQ(report.crossed.crossings, 3U);
 }
 
 } // namespace tessera

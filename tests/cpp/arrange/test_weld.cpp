@@ -168,11 +168,13 @@ TEST(Arrange, ClosesGapsWithinTheToleranceAndSettlesChains)
     }
 }
 
-TEST(Arrange, WithoutToleranceEqualPointsStayTwo)
+TEST(Arrange, WithoutToleranceEqualPointsOfStraightCurvesStayTwo)
 {
-    const CurveNetwork network = almostClosed(0.0);
+    CurveNetwork network = almostClosed(0.0);
     ArrangeReport report;
     Execution execution;
+    EXPECT_EQ(arrange(network, {}, report, execution).points.size(), 3U);
+    network.curves[2].geometry = nullptr;
     EXPECT_EQ(arrange(network, {}, report, execution).points.size(), 5U);
     EXPECT_EQ(arrange(network, {.weld = 1e-9}, report, execution).points.size(), 3U);
     EXPECT_EQ(report.welded, 0U);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-// Colors of every planar straight-line graph of the corpora: the bounded faces and their area against
-// exact arithmetic and GEOS, and the even-odd inside of triangles against counting crossings of rays.
+// Colors of every planar straight-line graph of the corpora: the bounded faces and their area
+// against exact arithmetic and GEOS, and the even-odd inside of triangles against counting
+// crossings of rays.
 
 #include "io/read_poly.h"
 #include "property/corpora.h"

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "arrange/contacts.h"
+
+#include "arrange/box_tree.h"
+#include "curve/curve_tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+namespace tessera
+{
+
+namespace
+{
+
+class ContactFinder
+{
+public:
+    ContactFinder(const CurveSet& curves, std::span<const Arc> arcs, double near,
+                  Execution& execution)
+        : curves_(curves)
+        , arcs_(arcs)
+        , near_(near)
+        , execution_(execution)
+        , pairs_(curves, near)
+    {}
+
+    CurveContacts run()
+    {
+        std::vector<Box2> boxes;
+        boxes.reserve(arcs_.size());
+        for (const Arc& arc : arcs_) {
+            boxes.push_back(arc.box().grown(near_));
+        }
+        std::size_t count = 0;
+        BoxTree(boxes).forEachPair([this, &count](std::uint32_t i, std::uint32_t j) {
+            if ((++count & 0xffU) == 0) {
+                execution_.checkpoint();
+            }
+            lookAt(arcs_[i], arcs_[j]);
+        });
+        result_.points = std::move(pairs_.crossings);
+        mergeStretches();
+        result_.unresolved = pairs_.unresolved;
+        std::erase_if(result_.points, [this](const Contact& c) { return startsAtSharedEnd(c); });
+        sortPoints();
+        return std::move(result_);
+    }
+
+private:
+    void lookAt(const Arc& one, const Arc& other)
+    {
+        if (curves_.isStraight(one.curve) && curves_.isStraight(other.curve)) {
+            return;
+        }
+        const bool inOrder = std::tie(one.curve, one.a) < std::tie(other.curve, other.a);
+        const Arc& a = inOrder ? one : other;
+        const Arc& b = inOrder ? other : one;
+        if (a.curve != b.curve || !(areNeighbors(a, b) && goOneWay(a, b))) {
+            pairs_.find(a, b);
+        }
+    }
+
+    bool areNeighbors(const Arc& a, const Arc& b) const
+    {
+        const NetworkCurve& curve = curves_.network().curves[a.curve];
+        const Curve& geometry = curves_[a.curve];
+        return a.b == b.a
+            || (curve.start == curve.end && a.a == geometry.first() && b.b == geometry.last());
+    }
+
+    /// All tangents of both lie within a half-plane, so that the two cannot meet again.
+    static bool goOneWay(const Arc& a, const Arc& b)
+    {
+        if (a.coneSine >= 1.0 || b.coneSine >= 1.0) {
+            return false;
+        }
+        const double angle = std::abs(
+            std::atan2(cross(a.direction, b.direction), dot(a.direction, b.direction)));
+        return angle + std::asin(a.coneSine) + std::asin(b.coneSine) < std::numbers::pi - 1e-3;
+    }
+
+    double speedAt(std::uint32_t curve, double t) const
+    {
+        return length(curves_[curve].derivative(t));
+    }
+
+    /// Joins stretches that follow each other on both curves; what reaches from an end of one of
+    /// the curves to another end is an overlap, everything else a touch.
+    void mergeStretches()
+    {
+        auto& stretches = pairs_.stretches;
+        std::sort(stretches.begin(), stretches.end(), [](const Stretch& p, const Stretch& q) {
+            return std::tie(p.curveA, p.curveB, p.a0, p.a1, p.b0)
+                < std::tie(q.curveA, q.curveB, q.a0, q.a1, q.b0);
+        });
+        std::vector<Stretch> open;
+        for (std::size_t i = 0; i < stretches.size(); ++i) {
+            if (i > 0 && (stretches[i].curveA != stretches[i - 1].curveA
+                          || stretches[i].curveB != stretches[i - 1].curveB)) {
+                finish(open);
+            }
+            const auto before = std::find_if(open.begin(), open.end(), [&](const Stretch& s) {
+                return continues(s, stretches[i]);
+            });
+            if (before == open.end()) {
+                open.push_back(stretches[i]);
+            }
+            else if (stretches[i].a1 > before->a1) {
+                before->a1 = stretches[i].a1;
+                before->b1 = stretches[i].b1;
+            }
+        }
+        finish(open);
+    }
+
+    bool continues(const Stretch& s, const Stretch& next) const
+    {
+        const double reachA = 64.0 * near_ / std::max(speedAt(s.curveA, s.a1), near_);
+        const double reachB = 64.0 * near_ / std::max(speedAt(s.curveB, s.b1), near_);
+        const double shorterB = std::min(std::abs(next.b1 - next.b0), std::abs(s.b1 - s.b0));
+        return next.a0 <= s.a1 + reachA && std::abs(next.b0 - s.b1) <= reachB + shorterB;
+    }
+
+    void finish(std::vector<Stretch>& open)
+    {
+        for (const Stretch& stretch : open) {
+            if (isOverlap(stretch)) {
+                result_.overlaps.push_back(stretch);
+            }
+            else {
+                result_.points.push_back(touchIn(stretch));
+            }
+        }
+        open.clear();
+    }
+
+    bool isOverlap(const Stretch& s) const
+    {
+        const double length = (s.a1 - s.a0) * speedAt(s.curveA, 0.5 * (s.a0 + s.a1));
+        const auto isEnd = [this, &s](double a, double b) {
+            return isEndOf(s.curveA, a) || isEndOf(s.curveB, b);
+        };
+        return length > 256.0 * near_ && isEnd(s.a0, s.b0) && isEnd(s.a1, s.b1);
+    }
+
+    bool isEndOf(std::uint32_t curve, double t) const
+    {
+        const double reach = 64.0 * near_ / std::max(speedAt(curve, t), near_);
+        const std::vector<double> ends = smoothIntervals(curves_[curve]);
+        return std::any_of(ends.begin(), ends.end(),
+                           [t, reach](double end) { return std::abs(end - t) <= reach; });
+    }
+
+    /// Where the tangents are parallel and the gap lies across them, found by Newton's method from
+    /// the middle of the stretch; the middle itself if that leads out of it.
+    Contact touchIn(const Stretch& stretch) const
+    {
+        const Curve& a = curves_[stretch.curveA];
+        const Curve& b = curves_[stretch.curveB];
+        const double middleA = 0.5 * (stretch.a0 + stretch.a1);
+        const double middleB = 0.5 * (stretch.b0 + stretch.b1);
+        double s = middleA;
+        double t = middleB;
+        for (int i = 0; i < 12; ++i) {
+            const Vec2 gap = a.point(s) - b.point(t);
+            const Vec2 da = a.derivative(s);
+            const Vec2 db = b.derivative(t);
+            const Vec2 dda = a.secondDerivative(s);
+            const Vec2 ddb = b.secondDerivative(t);
+            const double f = dot(gap, da);
+            const double g = cross(da, db);
+            const double fs = squaredLength(da) + dot(gap, dda);
+            const double ft = -dot(db, da);
+            const double gs = cross(dda, db);
+            const double gt = cross(da, ddb);
+            const double determinant = fs * gt - ft * gs;
+            if (determinant == 0.0) {
+                break;
+            }
+            s -= (f * gt - ft * g) / determinant;
+            t -= (fs * g - f * gs) / determinant;
+        }
+        // A touch may have been found in several parts: all of them lead to one place.
+        const double reachA = 16.0 * (std::abs(stretch.a1 - stretch.a0) + near_);
+        const double reachB = 16.0 * (std::abs(stretch.b1 - stretch.b0) + near_);
+        const bool inside = std::abs(s - middleA) <= reachA && std::abs(t - middleB) <= reachB
+            && s >= a.first() && s <= a.last() && t >= b.first() && t <= b.last();
+        return inside ? Contact {stretch.curveA, stretch.curveB, s, t}
+                      : Contact {stretch.curveA, stretch.curveB, middleA, middleB};
+    }
+
+    /// A contact that belongs to an end that both curves share: between the two they run along each
+    /// other. If their geometries miss the common point, then by as much as they miss it.
+    bool startsAtSharedEnd(const Contact& c) const
+    {
+        const auto endsOf = [this](std::uint32_t index) {
+            const NetworkCurve& curve = curves_.network().curves[index];
+            const Curve& geometry = curves_[index];
+            return std::pair(std::pair(curve.start, geometry.first()),
+                             std::pair(curve.end, geometry.last()));
+        };
+        const auto [startA, endA] = endsOf(c.curveA);
+        const auto [startB, endB] = endsOf(c.curveB);
+        for (const auto& [pointA, s] : {startA, endA}) {
+            for (const auto& [pointB, t] : {startB, endB}) {
+                const bool seam = c.curveA == c.curveB && s == t;
+                if (pointA == pointB && !seam && runsAlong(c, pointA, s, t)) {
+                    return true;
+                }
+            }
+        }
+        return c.curveA == c.curveB && isOneCorner(c);
+    }
+
+    bool runsAlong(const Contact& c, PointId shared, double s, double t) const
+    {
+        if (s == c.s || t == c.t) {
+            return s == c.s && t == c.t;
+        }
+        const Vec2 p = curves_.network().points[shared.index()];
+        const Curve& a = curves_[c.curveA];
+        const double miss = std::max(distance(p, a.point(s)),
+                                     distance(p, curves_[c.curveB].point(t)));
+        const Arc along = makeArc(curves_, c.curveB, std::min(t, c.t), std::max(t, c.t));
+        if (along.coneSine > 0.9) {
+            return false;
+        }
+        for (const double share : {0.25, 0.5, 0.75}) {
+            const Vec2 q = a.point((1.0 - share) * s + share * c.s);
+            const double u = nearestParameter(curves_, along, q);
+            if (distance(q, curves_[c.curveB].point(u)) > 2.0 * (near_ + miss)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// A curve that meets itself where it already is: at a corner between two of its arcs.
+    bool isOneCorner(const Contact& c) const
+    {
+        const double reach = 32.0 * near_;
+        return distance(curves_[c.curveA].point(c.s), curves_[c.curveA].point(c.t)) <= reach
+            && arcLength(curves_[c.curveA], std::min(c.s, c.t), std::max(c.s, c.t)) <= reach;
+    }
+
+    /// The same contact is found from both sides of a cut between arcs.
+    void sortPoints()
+    {
+        auto& points = result_.points;
+        std::sort(points.begin(), points.end(), [](const Contact& p, const Contact& q) {
+            return std::tie(p.curveA, p.curveB, p.s, p.t)
+                < std::tie(q.curveA, q.curveB, q.s, q.t);
+        });
+    }
+
+    const CurveSet& curves_;
+    std::span<const Arc> arcs_;
+    double near_;
+    Execution& execution_;
+    ArcPairFinder pairs_;
+    CurveContacts result_;
+};
+
+} // namespace
+
+CurveContacts findContacts(const CurveSet& curves, std::span<const Arc> arcs, double near,
+                           Execution& execution)
+{
+    return ContactFinder(curves, arcs, near, execution).run();
+}
+
+} // namespace tessera
