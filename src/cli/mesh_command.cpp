@@ -68,7 +68,8 @@ void addOptions(CLI::App& command, MeshArguments& a)
     command.add_option("-o,--output", a.output, "Mesh file: " + meshExtensions())->required();
     command.add_option("--size", a.size, "Target edge length; default: a fortieth of the diagonal");
     command.add_option("--min-size", a.minSize, "Smallest edge length to aim for");
-    command.add_option("--growth", a.growth, "How fast the size may grow, above 0 to 1; default 0.3");
+    command.add_option("--growth", a.growth,
+                       "How fast the size may grow, above 0 to 1; default 0.3");
     command.add_option("--max-area", a.maxArea, "Largest area of a triangle");
     command.add_option("--min-angle", a.minAngle,
                        "Smallest angle to reach, 0 to 33 degrees; default 30");
@@ -95,7 +96,9 @@ void addOptions(CLI::App& command, MeshArguments& a)
     command.add_flag("--no-optimize", a.noOptimize, "Leave the triangles as they were inserted");
     command.add_option("--weld", a.weld,
                        "End points nearer than this are one; default: 0, for CAD its tolerance");
-    command.add_option("--recovery", a.recovery, "How boundaries are recovered: cavity (default) or steiner")
+    command
+        .add_option("--recovery", a.recovery,
+                    "How boundaries are recovered: cavity (default) or steiner")
         ->transform(CLI::Transformer(kStrategies))
         ->type_name("STRATEGY");
     command.add_option("--time-limit", a.timeLimit, "Seconds after which to give up");

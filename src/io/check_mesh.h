@@ -14,8 +14,8 @@ namespace tessera
 /// What checkMesh() found. A mesh is valid if there are no problems.
 struct MeshCheck
 {
-    /// A sentence each, with the file's numbers of elements and nodes. At most kMostListed, then one
-    /// that counts the rest.
+    /// A sentence each, with the file's numbers of elements and nodes. At most kMostListed, then
+    /// one that counts the rest.
     std::vector<std::string> problems;
     static constexpr std::size_t kMostListed = 1000;
 
@@ -36,8 +36,8 @@ struct MeshCheck
 /// - every element strictly counter-clockwise (quadrangles strictly convex), the Jacobian of 6-node
 ///   triangles positive, no node twice in an element, no element twice;
 /// - conforming: a side belongs to one or two elements, which run through it in opposite directions
-///   and have the same mid node; no node lies inside the side of another element (hanging node, also
-///   if rounding put it beside); no two nodes at one place;
+///   and have the same mid node; no node lies inside the side of another element (hanging node,
+///   also if rounding put it beside); no two nodes at one place;
 /// - no overlaps: no two outline sides cross or touch but at common nodes, and every part of the
 ///   plane is covered at most once;
 /// - line elements are sides of elements.

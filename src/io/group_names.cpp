@@ -21,7 +21,8 @@ std::string plainName(std::string_view name)
     std::string plain = "G_";
     for (char c : name) {
         const bool keep = isLetter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
-        const bool continues = (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; // of a UTF-8 letter
+        const bool continues =
+            (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; // of a UTF-8 letter
         if (!continues) {
             plain += keep ? c : '_';
         }

@@ -59,7 +59,8 @@ private:
     static int half(Vec2 center, Vec2 reference, Vec2 p)
     {
         const int side = orient2d(center, reference, p);
-        const bool ahead = side > 0 || (side == 0 && compareAlong(center, reference, p, center) > 0);
+        const bool ahead =
+            side > 0 || (side == 0 && compareAlong(center, reference, p, center) > 0);
         return ahead ? 0 : 1;
     }
 

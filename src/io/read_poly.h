@@ -19,7 +19,8 @@ namespace tessera
 /// A missing marker is 0. The hole section must be there, so that a file cut off after its segments
 /// is not taken for a domain without holes; the region section may be missing.
 ///
-/// Roles are those of the lists by marker, the others the default ones (assignPolyRoles). Throws Error(Unreadable) with file and line.
+/// Roles are those of the lists by marker, the others the default ones (assignPolyRoles). Throws
+/// Error(Unreadable) with file and line.
 CurveNetwork readPoly(const std::filesystem::path& path, const RoleLists& roles = {});
 
 /// The same from text; name is used in messages and for the operand. nodePath is the .node file to

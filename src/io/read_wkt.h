@@ -16,8 +16,8 @@ namespace tessera
 /// it. Every geometry starts on a line of its own, may run on over the following lines, and is one
 /// operand named "Line<n>" after the line it starts on; empty lines and lines that start with # are
 /// passed over. z and m coordinates are dropped. Rings are boundaries, lines constraints, points
-/// embedded, if the lists say nothing else by line number. NetworkCurve::source is the line number, the curves' groups are "Line<n>_Edges", the
-/// points' "Line<n>_Points".
+/// embedded, if the lists say nothing else by line number. NetworkCurve::source is the line number,
+/// the curves' groups are "Line<n>_Edges", the points' "Line<n>_Points".
 ///
 /// A ring must be closed; a repeated point is taken once. Throws Error(Unreadable) with file and
 /// line, also for the curved and spatial geometry types.

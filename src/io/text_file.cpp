@@ -28,7 +28,8 @@ struct CloseFile
 
 [[noreturn]] void failToRead(const std::filesystem::path& path, const char* reason)
 {
-    throw Error(ErrorKind::Unreadable, fmt::format("{}: cannot be read: {}.", path.string(), reason));
+    throw Error(ErrorKind::Unreadable,
+                fmt::format("{}: cannot be read: {}.", path.string(), reason));
 }
 
 std::unique_ptr<std::FILE, CloseFile> openToRead(const std::filesystem::path& path)

@@ -98,7 +98,8 @@ private:
     void requireEnd() const
     {
         std::string_view rest = text_;
-        while (!rest.empty() && (rest.back() == ' ' || (rest.back() >= '\t' && rest.back() <= '\r'))) {
+        while (!rest.empty() &&
+               (rest.back() == ' ' || (rest.back() >= '\t' && rest.back() <= '\r'))) {
             rest.remove_suffix(1);
         }
         if (text_.substr(0, 4096).find("<VTKFile") == std::string_view::npos) {
@@ -197,7 +198,8 @@ private:
         array.type = vtuType(tag.attribute("type"));
         array.format = std::string(tag.attribute("format"));
         array.content = tag.isEnd() ? std::string_view() : tag.content();
-        if (!tag.attribute("offset").empty() && !parseNumber(tag.attribute("offset"), array.offset)) {
+        if (!tag.attribute("offset").empty() &&
+            !parseNumber(tag.attribute("offset"), array.offset)) {
             fail("the offset of a DataArray is not a number.");
         }
         if (!tag.attribute("NumberOfComponents").empty()

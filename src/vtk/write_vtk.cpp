@@ -66,8 +66,8 @@ void setCells(vtkUnstructuredGrid& grid, const Mesh& mesh)
     const std::size_t triangles = mesh.triangles.size();
     const std::size_t count = triangles + mesh.edges.size();
     auto offsets = makeArray<vtkTypeInt32Array>("offsets", count + 1);
-    auto nodes = makeArray<vtkTypeInt32Array>("connectivity",
-                                              triangles * perTriangle + mesh.edges.size() * perEdge);
+    auto nodes = makeArray<vtkTypeInt32Array>("connectivity", triangles * perTriangle +
+                                                                  mesh.edges.size() * perEdge);
     auto types = makeArray<vtkUnsignedCharArray>("types", count);
     vtkTypeInt32* offset = offsets->GetPointer(0);
     vtkTypeInt32* node = nodes->GetPointer(0);

@@ -50,7 +50,10 @@ public:
         return nlohmann::json::parse(text(name));
     }
 
-    Outcome run(const std::vector<std::string>& arguments) const { return finish(start(arguments)); }
+    Outcome run(const std::vector<std::string>& arguments) const
+    {
+        return finish(start(arguments));
+    }
 
     /// Sends a signal after a while.
     Outcome interrupt(const std::vector<std::string>& arguments, int signal,

@@ -77,7 +77,8 @@ TEST_F(MeshCommand, ReportHasAllKeys)
                                               "total"}));
     EXPECT_NEAR(sum, report["seconds"]["total"].get<double>(),
                 0.05 * report["seconds"]["total"].get<double>());
-    EXPECT_EQ(report["input"], (json {{"points", 4}, {"segments", 4}, {"curves", 4}, {"operands", 1}}));
+    EXPECT_EQ(report["input"],
+              (json{{"points", 4}, {"segments", 4}, {"curves", 4}, {"operands", 1}}));
     for (const char* key : {"min", "p05", "median", "p95", "max"}) {
         EXPECT_TRUE(report["size_conformity"].contains(key)) << key;
     }
@@ -157,7 +158,8 @@ TEST_F(MeshCommand, OperandsOfSeveralInputs)
 
 TEST_F(MeshCommand, BothRecoveries)
 {
-    program.give("a.wkt", "POLYGON((0 0,8 0,8 8,0 8,0 0))\nLINESTRING(-1 1,9 7)\nLINESTRING(2 9,6 -1)\n");
+    program.give("a.wkt",
+                 "POLYGON((0 0,8 0,8 8,0 8,0 0))\nLINESTRING(-1 1,9 7)\nLINESTRING(2 9,6 -1)\n");
     const json cavity = mesh({"a.wkt", "--no-refine"});
     const json steiner = mesh({"a.wkt", "--no-refine", "--recovery", "steiner"});
     EXPECT_EQ(cavity["crossings"], 5);
@@ -287,7 +289,8 @@ TEST_F(MeshCommand, AllOutputFormats)
     EXPECT_TRUE(program.text("out.svg").starts_with("<?xml"));
     EXPECT_TRUE(program.text("out.png").starts_with("\x89PNG"));
     // The mesh as drawing is a drawing of the same domain.
-    EXPECT_NEAR(mesh({"out.poly", "--no-refine", "--fill", "all"})["area"].get<double>(), 60.0, 1e-9);
+    EXPECT_NEAR(mesh({"out.poly", "--no-refine", "--fill", "all"})["area"].get<double>(), 60.0,
+                1e-9);
 }
 
 TEST_F(MeshCommand, SameInputSameBytes)
@@ -360,10 +363,10 @@ TEST_F(MeshCommand, VersionAndHelp)
         EXPECT_NE(help.out.find("Usage: tessera"), std::string::npos) << help.out;
     }
     const std::string help = program.run({"mesh", "--help"}).out;
-    for (const char* option : {"--size", "--min-size", "--growth", "--order", "--fill", "--boundary",
-                               "--constraint", "--min-angle", "--max-area", "--no-refine",
-                               "--no-optimize", "--weld", "--recovery", "--time-limit", "--stages",
-                               "--report", "--quiet"}) {
+    for (const char* option :
+         {"--size", "--min-size", "--growth", "--order", "--fill", "--boundary", "--constraint",
+          "--min-angle", "--max-area", "--no-refine", "--no-optimize", "--weld", "--recovery",
+          "--time-limit", "--stages", "--report", "--quiet"}) {
         EXPECT_NE(help.find(option), std::string::npos) << option;
     }
 }

@@ -14,8 +14,8 @@
 namespace tessera::samples
 {
 
-/// A square [0, n]² of unit cells, two triangles each, with a square hole of the middle third and a
-/// second region right of the middle. Its curves: 0 the outer border, 1 the hole's, 2 the line
+/// A square [0, n]² of unit cells, two triangles each, with a square hole of the middle third and
+/// a second region right of the middle. Its curves: 0 the outer border, 1 the hole's, 2 the line
 /// between the regions. Inner nodes are moved a little, so that coordinates are not whole numbers.
 class PlateMesh
 {

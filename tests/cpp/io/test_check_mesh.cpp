@@ -93,7 +93,8 @@ TEST(CheckMesh, Orientation)
     const std::vector<Vec2> square {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     expectValid(rawMesh(square, {{0, 1, 2}, {0, 2, 3}}));
     expectValid(rawMesh(square, {{0, 1, 2, 3}}));
-    expectProblem(rawMesh(square, {{0, 1, 2}, {0, 3, 2}}), "Element 1 (nodes 0, 3, 2) is clockwise");
+    expectProblem(rawMesh(square, {{0, 1, 2}, {0, 3, 2}}),
+                  "Element 1 (nodes 0, 3, 2) is clockwise");
     expectProblem(rawMesh(square, {{0, 3, 2, 1}}), "is clockwise");
     expectProblem(rawMesh(square, {{0, 1, 3, 2}}), "is not convex");
     expectProblem(rawMesh({{0, 0}, {2, 0}, {1, 0.1}, {1, 3}}, {{0, 1, 2, 3}}), "is not convex");
@@ -221,7 +222,8 @@ TEST(CheckMesh, Plane)
 
 TEST(CheckMesh, UnusedNodesAreCounted)
 {
-    const MeshCheck check = checkMesh(rawMesh({{0, 0}, {1, 0}, {1, 1}, {1, 1}, {9, NAN}}, {{0, 1, 2}}));
+    const MeshCheck check =
+        checkMesh(rawMesh({{0, 0}, {1, 0}, {1, 1}, {1, 1}, {9, NAN}}, {{0, 1, 2}}));
     EXPECT_TRUE(check.valid());
     EXPECT_EQ(check.unusedNodes, 2U);
 }
@@ -290,7 +292,8 @@ TEST(OutlineCheck, SweepAgreesWithAllPairs)
         std::vector<Vec2> points;
         std::vector<OutlineSide> sides;
         for (int s = 0; s < count; ++s) {
-            sides.push_back({static_cast<std::uint32_t>(2 * s), static_cast<std::uint32_t>(2 * s + 1)});
+            sides.push_back(
+                {static_cast<std::uint32_t>(2 * s), static_cast<std::uint32_t>(2 * s + 1)});
             do {
                 points.resize(static_cast<std::size_t>(2 * s));
                 for (int i = 0; i < 2; ++i) {
@@ -304,7 +307,8 @@ TEST(OutlineCheck, SweepAgreesWithAllPairs)
             for (std::size_t j = 0; j < i; ++j) {
                 const Vec2 p = points[2 * i], q = points[2 * i + 1];
                 const Vec2 r = points[2 * j], s = points[2 * j + 1];
-                const int a = sign(r, s, p), b = sign(r, s, q), c = sign(p, q, r), d = sign(p, q, s);
+                const int a = sign(r, s, p), b = sign(r, s, q), c = sign(p, q, r),
+                          d = sign(p, q, s);
                 meet = meet || (a * b < 0 && c * d < 0) || (a == 0 && within(r, s, p))
                     || (b == 0 && within(r, s, q)) || (c == 0 && within(p, q, r))
                     || (d == 0 && within(p, q, s)) || (p == r && q == s) || (p == s && q == r);

@@ -170,7 +170,8 @@ TEST(ReadPoly, SaysFileLineAndReason)
     refuse("1 2 0 0\n1 0 1e999\n", "'1e999' is not a finite number");
     refuse("2 2 0 0\n1 0 0\n3 1 1\n", "point 3 stands where 2 was expected");
     refuse("1 2 0 0\n1 0 0\n", "before the number of segments");
-    refuse("1 2 0 0\n1 0 0\n1 0\n1 1 2\n0\n", "bad.poly:4: there is no point 2; the points are 1 to 1");
+    refuse("1 2 0 0\n1 0 0\n1 0\n1 1 2\n0\n",
+           "bad.poly:4: there is no point 2; the points are 1 to 1");
     refuse("1 2 0 0\n1 0 0\n1 1\n1 1 1 x\n0\n", "bad.poly:4: 'x' is not a whole number");
     refuse("1 2 0 0\n1 0 0\n0 0\n", "before the number of holes");
     refuse("1 2 0 0\n1 0 0\n0 0\n1\n1 5\n", "bad.poly:5: the y coordinate is missing");
@@ -212,7 +213,8 @@ TEST(ParseNumber, ReadsWhatCWrites)
     EXPECT_TRUE(reads("1e-400", 0.0));
     EXPECT_TRUE(reads("4.9406564584124654e-324", 4.9406564584124654e-324));
     EXPECT_TRUE(reads("0.1000000000000000055511151231257827021181583404541015625", 0.1));
-    for (const char* word : {"", "+", "-", "+-1", "1,5", "0x10", "1e", "1e999", "inf", "NaN", "1 2"}) {
+    for (const char* word :
+         {"", "+", "-", "+-1", "1,5", "0x10", "1e", "1e999", "inf", "NaN", "1 2"}) {
         EXPECT_FALSE(parseNumber(word, value)) << word;
     }
 }

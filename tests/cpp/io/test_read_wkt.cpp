@@ -169,9 +169,10 @@ TEST(ReadWkt, TruncatedAnywhereIsRefusedOrRead)
 TEST(AppendNetwork, ShiftsAllIds)
 {
     CurveNetwork network = parseWkt("POLYGON((0 0,1 0,0 1,0 0))\nPOINT(5 5)", "a.wkt");
-    appendNetwork(network, parsePoly("3 2 0 1\n1 8 8 1\n2 9 8 0\n3 8 9 0\n3 0\n1 1 2\n2 2 3\n3 3 1\n"
-                                     "1\n1 8.1 8.1\n1\n1 8.2 8.2 5 6\n",
-                                     "b.poly"));
+    appendNetwork(network,
+                  parsePoly("3 2 0 1\n1 8 8 1\n2 9 8 0\n3 8 9 0\n3 0\n1 1 2\n2 2 3\n3 3 1\n"
+                            "1\n1 8.1 8.1\n1\n1 8.2 8.2 5 6\n",
+                            "b.poly"));
     EXPECT_EQ(network.points.size(), 7U);
     EXPECT_EQ(network.operands.size(), 3U);
     EXPECT_EQ(network.curves[3].start, PointId(4U));

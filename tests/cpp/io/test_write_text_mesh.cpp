@@ -165,9 +165,9 @@ TEST(WriteInp, CoordinatesFitIntoTwentyCharacters)
 TEST(WriteInp, SetsForEveryGroup)
 {
     const std::string text = formatInp(PlateMesh(9).mesh);
-    for (const char* set : {"*ELSET, ELSET=Left\n", "*ELSET, ELSET=Right\n", "*ELSET, ELSET=Plate\n",
-                            "*NSET, NSET=Border\n", "*NSET, NSET=Hole\n", "*NSET, NSET=Seam\n",
-                            "*NSET, NSET=Corner\n"}) {
+    for (const char* set : {"*ELSET, ELSET=Left\n", "*ELSET, ELSET=Right\n",
+                            "*ELSET, ELSET=Plate\n", "*NSET, NSET=Border\n", "*NSET, NSET=Hole\n",
+                            "*NSET, NSET=Seam\n", "*NSET, NSET=Corner\n"}) {
         EXPECT_NE(text.find(set), std::string::npos) << set;
     }
     // The seam of a 9 x 9 plate runs from below to the hole and on above it.
@@ -329,12 +329,14 @@ TEST(ReadMsh, SaysFileLineAndReason)
     refuse("hello\n", "it does not start with $MeshFormat");
     refuse("$MeshFormat\n3.0 0 8\n", "MSH version '3.0' is not supported");
     refuse("$MeshFormat\n4.1 1 8\n", "binary MSH files are not supported");
-    refuse(head + "$Nodes\n2\n1 0 0 0\n$EndNodes\n", "bad.msh:7: '$EndNodes' is not a whole number");
+    refuse(head + "$Nodes\n2\n1 0 0 0\n$EndNodes\n",
+           "bad.msh:7: '$EndNodes' is not a whole number");
     refuse(head + "$Nodes\n2\n1 0 0 0\n1 0 0 0\n$EndNodes\n", "there are two nodes 1");
     refuse(head + "$Elements\n0\n$EndElements\n", "$Elements is repeated or in the wrong place");
     refuse(nodes, "the file has no $Elements");
     refuse(nodes + "$Elements\n1\n1 1 0 1 2\n$EndElements\n", "bad.msh:10: there is no node 2");
-    refuse(nodes + "$Elements\n1\n1 4 0 1 1 1 1\n$EndElements\n", "element type 4 is not supported");
+    refuse(nodes + "$Elements\n1\n1 4 0 1 1 1 1\n$EndElements\n",
+           "element type 4 is not supported");
     refuse(nodes + "$Elements\n1\n1 2 0 1\n$EndElements\n", "the node number is missing");
     refuse(nodes + "junk\n", "a section such as $Nodes was expected");
 }
@@ -360,8 +362,9 @@ TEST(ReadInp, ElementTypes)
     for (const auto& [type, count] : std::map<std::string, int> {
              {"S3", 3}, {"s3r", 3}, {"STRI3", 3}, {"STRI65", 6}, {"CPE4R", 4}, {"CAX8", 8},
              {"M3D6", 6}, {"S8R5", 8}, {"T3D2", 2}, {"B31", 2}, {"CPEG4", 4}, {"DS4", 4}}) {
-        std::string text = "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,0,2\n6,0,3\n7,0,4\n8,0,5\n*ELEMENT,TYPE="
-            + type + "\n1";
+        std::string text =
+            "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,0,2\n6,0,3\n7,0,4\n8,0,5\n*ELEMENT,TYPE=" + type +
+            "\n1";
         for (int i = 1; i <= count; ++i) {
             text += ", " + std::to_string(i);
         }

@@ -154,7 +154,8 @@ TEST(ReadVtu, SeveralPiecesPointsAndEmptyPieces)
     const std::string piece =
         "<Piece NumberOfPoints='3' NumberOfCells=\"2\"><Points><DataArray type=\"Float32\" "
         "NumberOfComponents=\"3\" format=\"ascii\"> 0 0 0 1 0 0 0 1 0 </DataArray></Points>"
-        "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 0 1 2</DataArray>"
+        "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 0 1 "
+        "2</DataArray>"
         "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">1 4</DataArray>"
         "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">1 5</DataArray></Cells></Piece>";
     const RawMesh raw = parseVtu(
@@ -173,7 +174,8 @@ TEST(ReadVtu, SaysWhatIsWrong)
     const auto refuse = [](const std::string& text, const std::string& expected) {
         expectError(ErrorKind::Unreadable, expected, [&] { parseVtu(text, "bad.vtu"); });
     };
-    const auto file = [](const std::string& cells, const std::string& points = "0 0 0 1 0 0 0 1 0") {
+    const auto file = [](const std::string& cells,
+                         const std::string& points = "0 0 0 1 0 0 0 1 0") {
         return "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" "
                "NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
                "format=\"ascii\">" + points + "</DataArray></Points><Cells>" + cells
