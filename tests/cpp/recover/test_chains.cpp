@@ -20,6 +20,7 @@ std::vector<std::uint32_t> verticesOf(const Chains& chains, std::uint32_t segmen
 std::vector<Chains::Use> usesOf(const Chains& chains, std::uint32_t u, std::uint32_t v)
 {
     std::vector<Chains::Use> result;
+    result.reserve(6);
     chains.forEachUse(u, v, [&](const Chains::Use& use) { result.push_back(use); });
     std::sort(result.begin(), result.end(),
               [](const auto& p, const auto& q) { return p.segment < q.segment; });
