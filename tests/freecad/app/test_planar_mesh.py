@@ -132,7 +132,9 @@ def test_second_order(document):
     fem = obj.FemMesh
     assert all(len(fem.getElementNodes(face)) == 6 for face in fem.Faces)
     on_circle = [
-        node for node in fem.Nodes.values() if abs(node.distanceToPoint(Vector(50, 30, 0)) - 15) < 1e-9
+        node
+        for node in fem.Nodes.values()
+        if abs(node.distanceToPoint(Vector(50, 30, 0)) - 15) < 1e-9
     ]
     edges = math.ceil(2 * math.pi * 15 / 5)
     assert len(on_circle) >= 2 * (edges - 1)
@@ -148,7 +150,9 @@ def test_constraint_edges_do_not_bound(document):
     sketch = sketches.plate(document)
     obj = planar_mesh.make_planar_mesh(sketch, size=5.0)
     circle = next(
-        f"Edge{i + 1}" for i, edge in enumerate(sketch.Shape.Edges) if isinstance(edge.Curve, Part.Circle)
+        f"Edge{i + 1}"
+        for i, edge in enumerate(sketch.Shape.Edges)
+        if isinstance(edge.Curve, Part.Circle)
     )
     obj.Constraints = [(sketch, circle)]
     recompute(obj)

@@ -31,7 +31,8 @@ def test_whole_way(document, output):
     assert "triangles" in panel.message
     (mesh,) = window.planar_meshes(document)
     area = sketches.fem_area(mesh.FemMesh)
-    assert area == pytest.approx(sketches.PLATE_AREA, abs=sketches.chord_error(15.0, mesh.Size.Value))
+    error = sketches.chord_error(15.0, mesh.Size.Value)
+    assert area == pytest.approx(sketches.PLATE_AREA, abs=error)
     assert mesh.Triangles == mesh.FemMesh.FaceCount > 1000
     window.picture(output / "meshed.png")
     panel.press("Ok")

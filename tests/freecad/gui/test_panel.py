@@ -12,7 +12,8 @@ from tessera.objects import planar_mesh
 
 def state(document):
     """All that must not change when nothing was meshed."""
-    return [obj.Name for obj in document.Objects], document.UndoCount, document.HasPendingTransaction
+    names = [obj.Name for obj in document.Objects]
+    return names, document.UndoCount, document.HasPendingTransaction
 
 
 def made(document, size="20 mm"):
@@ -198,7 +199,11 @@ def test_gap_is_explained_and_welded(document, output):
     assert sketches.fem_area(mesh.FemMesh) == pytest.approx(800.0, rel=1e-2)
 
 
-BAD_SOURCES = {"empty": sketches.empty, "only_open": sketches.only_open, "zero_area": sketches.zero_area}
+BAD_SOURCES = {
+    "empty": sketches.empty,
+    "only_open": sketches.only_open,
+    "zero_area": sketches.zero_area,
+}
 
 
 @pytest.mark.parametrize("name", BAD_SOURCES)

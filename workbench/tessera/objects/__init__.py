@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Document objects. Class paths and property names are stored in users' files: they never change."""
+"""Document objects. Class paths and property names are stored in users' files and never change."""

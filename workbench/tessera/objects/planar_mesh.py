@@ -345,7 +345,7 @@ def make(request, analysis=None):
 
 
 def make_planar_mesh(source, analysis=None, **options):
-    """For macros: a mesh object of a sketch or a planar shape; options as MeshRequest has them. Call
-    the document's recompute() to mesh."""
+    """For macros: a mesh object of a sketch or a planar shape; options as MeshRequest has them.
+    Call the document's recompute() to mesh."""
     options.setdefault("size", default_size(source, options.get("faces", ())))
     return make(MeshRequest(source, **options), analysis)

@@ -96,7 +96,8 @@ class PlanarMeshPanel:
         form.sourceName.setText(self._source_text())
         for key, label, explanation in _fill_texts():
             form.fillField.addItem(label, key)
-            form.fillField.setItemData(form.fillField.count() - 1, explanation, QtCore.Qt.ToolTipRole)
+            last = form.fillField.count() - 1
+            form.fillField.setItemData(last, explanation, QtCore.Qt.ToolTipRole)
         if self._edited is None:
             sizes = [default_size(target.source, target.faces) for target in self._targets]
             request = MeshRequest(None, size=min((s for s in sizes if s > 0.0), default=0.0))
@@ -320,8 +321,8 @@ class PlanarMeshPanel:
         return True
 
     def accept(self):
-        """OK: what the form asks for is meshed first, unless it is already. FreeCAD closes the panel
-        if the answer is True."""
+        """OK: what the form asks for is meshed first, unless it is already. FreeCAD closes the
+        panel if the answer is True."""
         if self._job is not None:
             return False
         if self._document_is_open():
