@@ -19,6 +19,7 @@
 #include "refine/delaunay_refinement.h"
 
 #include "predicates/predicates.h"
+#include "refine/wedges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,6 @@ namespace
 
 constexpr double kSmallestPiece = 1.0 / 64.0; ///< of the size, for pieces of constrained edges
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
-constexpr double kAcuteAngle = std::numbers::pi / 3.0;
 constexpr std::size_t kCheckpointEvery = 256;
 
 double squaredDistance(Vec2 a, Vec2 b)
@@ -111,20 +111,28 @@ public:
         , cosineLimit_(std::cos(options.minAngle * std::numbers::pi / 180.0))
     {}
 
-    void run()
+    void run(std::span<const std::uint32_t> candidates)
     {
-        findAcuteApexes();
-        const double estimate = estimateTriangles(editor_.mesh(), size_);
-        workLeft_ = 20.0 * estimate + 200.0 * static_cast<double>(editor_.mesh().edges.size())
-            + 10.0 * static_cast<double>(t_.triangles.size()) + 1000.0;
-        const double workTotal = workLeft_;
-        for (std::uint32_t triangle = 0; triangle < t_.triangles.size(); ++triangle) {
+        for (const std::uint32_t triangle : candidates) {
             judge(triangle);
         }
+        if (large_.empty() && skinny_.empty()) {
+            return;
+        }
+        workLeft_ = 20.0 * static_cast<double>(t_.triangles.size())
+            + 200.0 * static_cast<double>(editor_.mesh().edges.size()) + 1000.0;
+        bool extended = false;
         std::size_t steps = 0;
-        while ((!large_.empty() || !skinny_.empty()) && workLeft_ > 0.0) {
+        while (!large_.empty() || !skinny_.empty()) {
             if (++steps % kCheckpointEvery == 0) {
-                execution_.report(1.0 - workLeft_ / workTotal);
+                execution_.checkpoint();
+            }
+            if (workLeft_ <= 0.0) {
+                if (extended) {
+                    break;
+                }
+                extended = true;
+                workLeft_ = 20.0 * estimateTriangles(editor_.mesh(), size_);
             }
             const bool isLarge = !large_.empty();
             const BadTriangle bad = isLarge ? large_.back() : skinny_.top();
@@ -180,47 +188,16 @@ private:
             && s.squared[2] > squaredLimit && s.circumradius() > limit;
     }
 
-    /// Marks the vertices at which two constrained edges make less than 60 degrees with kept
-    /// triangles in between.
-    void findAcuteApexes()
+    /// Two constrained edges at v make less than 60 degrees with kept triangles in between.
+    bool isAcuteApex(std::uint32_t v) const
     {
-        isAcute_.assign(t_.points.size(), 0);
-        for (const ConstrainedEdge& edge : editor_.mesh().edges) {
-            for (const std::uint32_t v : {edge.a, edge.b}) {
-                if (isAcute_[v] == 0) {
-                    isAcute_[v] = hasAcuteWedge(v) ? 2 : 1;
-                }
-            }
+        bool acute = false;
+        if (editor_.constMesh().origin[v] != VertexOrigin::SegmentSplit) {
+            forEachWedge(
+                t_, v, [this](std::uint32_t triangle) { return editor_.isKept(triangle); },
+                [&](HalfEdge, HalfEdge, double angle) { acute = acute || angle < kAcuteWedge; });
         }
-    }
-
-    bool hasAcuteWedge(std::uint32_t v) const
-    {
-        const HalfEdge first = t_.incident[v];
-        HalfEdge start = first;
-        while (!t_.isConstrained(start)) {
-            start = t_.nextAround(start);
-            if (start == first) {
-                return false;
-            }
-        }
-        double wedge = 0.0;
-        HalfEdge h = start;
-        do {
-            const HalfEdge following = t_.nextAround(h);
-            const std::uint32_t triangle = Topology::triangleOf(h);
-            if (editor_.isKept(triangle)) {
-                wedge += angleAt(v, t_.destination(h), t_.destination(following));
-                if (t_.isConstrained(following) && wedge < kAcuteAngle - 1e-9) {
-                    return true;
-                }
-            }
-            if (t_.isConstrained(following)) {
-                wedge = 0.0;
-            }
-            h = following;
-        } while (h != start);
-        return false;
+        return acute;
     }
 
     double angleAt(std::uint32_t apex, std::uint32_t a, std::uint32_t b) const
@@ -229,8 +206,6 @@ private:
         const Vec2 w = t_.points[b] - t_.points[apex];
         return std::fabs(std::atan2(cross(u, w), dot(u, w)));
     }
-
-    bool isAcuteApex(std::uint32_t v) const { return v < isAcute_.size() && isAcute_[v] == 2; }
 
     /// The smallest angle is an input angle, or the shortest edge runs between two constrained
     /// edges that meet at less than 60 degrees: refinement cannot help.
@@ -247,7 +222,7 @@ private:
         }
         for (const std::uint32_t apex : {editor_.rootStart(r), editor_.rootEnd(r)}) {
             if ((apex == editor_.rootStart(q) || apex == editor_.rootEnd(q))
-                && isAcuteApex(apex) && angleAt(apex, s.v[1], s.v[2]) < kAcuteAngle) {
+                && isAcuteApex(apex) && angleAt(apex, s.v[1], s.v[2]) < kAcuteWedge) {
                 return true;
             }
         }
@@ -391,7 +366,6 @@ private:
     Execution& execution_;
     double cosineLimit_;
     double workLeft_ = 0.0;
-    std::vector<std::uint8_t> isAcute_; ///< by vertex: 0 unknown, 1 no, 2 yes
     std::vector<BadTriangle> large_;
     std::priority_queue<BadTriangle> skinny_;
     std::vector<std::uint32_t> region_;
@@ -401,9 +375,10 @@ private:
 } // namespace
 
 void refineDelaunay(MeshEditor& editor, const SizeField& size, const RefineOptions& options,
-                    RefineReport& report, Execution& execution)
+                    std::span<const std::uint32_t> candidates, RefineReport& report,
+                    Execution& execution)
 {
-    DelaunayRefiner(editor, size, options, report, execution).run();
+    DelaunayRefiner(editor, size, options, report, execution).run(candidates);
 }
 
 } // namespace tessera

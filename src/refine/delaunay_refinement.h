@@ -6,13 +6,17 @@
 #include "refine/refine.h"
 #include "sizing/size_field.h"
 
+#include <cstdint>
+#include <span>
+
 namespace tessera
 {
 
-/// Delaunay refinement of what the placement of interior points left: triangles that are too large
-/// for the size field or an area limit, then triangles with an angle below options.minAngle.
-/// Adds to report.interiorPoints and report.segmentSplits.
+/// Delaunay refinement of the candidates and of what it makes of them: first of triangles that are
+/// too large for the size field or an area limit, then of those with an angle below
+/// options.minAngle. Adds to report.interiorPoints and report.segmentSplits.
 void refineDelaunay(MeshEditor& editor, const SizeField& size, const RefineOptions& options,
-                    RefineReport& report, Execution& execution);
+                    std::span<const std::uint32_t> candidates, RefineReport& report,
+                    Execution& execution);
 
 } // namespace tessera

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace tessera
 {
@@ -48,8 +49,9 @@ public:
         const double count = 4.0 / std::numbers::sqrt3 * area / (h * h);
         const double reach
             = std::max({distance(center, a), distance(center, b), distance(center, c)});
-        // h is not followed further in parts smaller than one triangle.
-        if (gradient_ * reach < 0.25 * h || count < 0.1) {
+        // h is not followed further in parts that are surely smaller than one triangle.
+        const double least = h - gradient_ * reach;
+        if (least > 0.75 * h || (least > 0.0 && count * h * h < 0.1 * least * least)) {
             sum_ += weight * count;
         }
         else {
@@ -157,12 +159,20 @@ double estimateTriangles(const WorkingMesh& mesh, const SizeField& size)
 
 std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options)
 {
+    std::vector<std::uint32_t> all(mesh.triangulation.triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return findUnreached(mesh, options, all);
+}
+
+std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options,
+                                     std::span<const std::uint32_t> triangles)
+{
     const Triangulation& t = mesh.triangulation;
     constexpr double degrees = 180.0 / std::numbers::pi;
     const double cosineLimit = std::cos(options.minAngle / degrees);
     std::vector<Unreached> angles;
     std::vector<Unreached> areas;
-    for (std::uint32_t i = 0; i < t.triangles.size(); ++i) {
+    for (const std::uint32_t i : triangles) {
         if (!t.isFinite(i) || mesh.regionOfTriangle[i] == WorkingMesh::kOutside) {
             continue;
         }

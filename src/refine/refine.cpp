@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace tessera
 {
@@ -43,6 +45,13 @@ LatticePatch placeLattice(MeshEditor& editor, VertexSizes& sizes, Execution& exe
                          findLatticeRuns(editor, sizes, lattice, kClearance), execution);
 }
 
+bool hasAreaLimits(const RefineOptions& options)
+{
+    return options.maxArea > 0.0
+        || std::any_of(options.regionMaxArea.begin(), options.regionMaxArea.end(),
+                       [](double area) { return area > 0.0; });
+}
+
 } // namespace
 
 RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
@@ -59,14 +68,20 @@ RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOption
     sizes.prepare(report, execution);
     const LatticePatch patch = placeLattice(editor, sizes, execution);
     report.interiorPoints += patch.points;
-    report.interiorPoints
-        += placeFrontal(editor, sizes, patch.firstTriangle, patch.endTriangle, execution);
+    FrontResult front
+        = placeFrontal(editor, sizes, patch.firstTriangle, patch.endTriangle, execution);
+    report.interiorPoints += front.points;
     releaseRim(editor, patch);
     RefineOptions rest = options;
+    std::vector<std::uint32_t> candidates = std::move(front.open);
     if (options.optimizeFollows) {
         rest.minAngle = 0.0;
     }
-    refineDelaunay(editor, size, rest, report, execution);
+    if (!options.optimizeFollows || hasAreaLimits(options)) {
+        candidates.resize(mesh.triangulation.triangles.size());
+        std::iota(candidates.begin(), candidates.end(), 0U);
+    }
+    refineDelaunay(editor, size, rest, candidates, report, execution);
     if (!options.optimizeFollows) {
         report.unreached = findUnreached(mesh, options);
     }

@@ -8,6 +8,7 @@
 #include "sizing/size_field.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -78,5 +79,8 @@ double estimateTriangles(const WorkingMesh& mesh, const SizeField& size);
 /// What a finished mesh does not reach: angles below options.minAngle ("min_angle", degrees) and
 /// areas above the limits ("max_area"), worst first, at the triangles' centroids.
 std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options);
+/// The same of these triangles only.
+std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options,
+                                     std::span<const std::uint32_t> triangles);
 
 } // namespace tessera

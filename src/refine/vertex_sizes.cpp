@@ -19,6 +19,8 @@
 
 #include "refine/vertex_sizes.h"
 
+#include "refine/wedges.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,13 +36,7 @@ constexpr double kGapRatio = 0.75;
 constexpr double kLongest = 1.42;
 constexpr double kSmallestGapSize = 1.0 / 64.0;
 constexpr int kRounds = 12;
-constexpr double kCornerAngle = std::numbers::pi / 3.0 - 1e-9;
 constexpr double kEqualArms = 1.02;
-
-double angleBetween(Vec2 u, Vec2 w)
-{
-    return std::fabs(std::atan2(cross(u, w), dot(u, w)));
-}
 } // namespace
 
 VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const RefineOptions& options)
@@ -83,47 +79,11 @@ void VertexSizes::lower(std::uint32_t vertex, double spacing)
 void VertexSizes::measureSpacing()
 {
     for (const ConstrainedEdge& edge : editor_.mesh().edges) {
-        const double spacing = distance(t_.points[edge.a], t_.points[edge.b]);
+        const double spacing
+            = std::sqrt(squaredLength(t_.points[edge.b] - t_.points[edge.a]));
         lower(edge.a, spacing);
         lower(edge.b, spacing);
     }
-}
-
-/// Calls wedge(arm, next arm, angle) for the constrained edges at v, counter-clockwise; the angle
-/// is infinite where a triangle in between is not kept.
-template<class F>
-void VertexSizes::forEachWedge(std::uint32_t v, F&& wedge) const
-{
-    const HalfEdge first = t_.incident[v];
-    if (first == Topology::kDead) {
-        return;
-    }
-    HalfEdge start = first;
-    while (!t_.isConstrained(start)) {
-        start = t_.nextAround(start);
-        if (start == first) {
-            return;
-        }
-    }
-    HalfEdge arm = start;
-    HalfEdge h = start;
-    double angle = 0.0;
-    do {
-        const HalfEdge following = t_.nextAround(h);
-        if (editor_.isKept(Topology::triangleOf(h))) {
-            angle += angleBetween(t_.points[t_.destination(h)] - t_.points[v],
-                                  t_.points[t_.destination(following)] - t_.points[v]);
-        }
-        else {
-            angle = std::numeric_limits<double>::infinity();
-        }
-        if (t_.isConstrained(following)) {
-            wedge(arm, following, angle);
-            arm = following;
-            angle = 0.0;
-        }
-        h = following;
-    } while (h != start);
 }
 
 /// Gives the arms of every corner below 60 degrees first edges of one length.
@@ -131,12 +91,13 @@ void VertexSizes::makeShells(RefineReport& report)
 {
     shell_.assign(t_.points.size(), 0.0F);
     std::vector<std::uint32_t> corners;
+    const auto isKept = [this](std::uint32_t triangle) { return editor_.isKept(triangle); };
     for (const ConstrainedEdge& edge : editor_.mesh().edges) {
         for (const std::uint32_t v : {edge.a, edge.b}) {
             if (shell_[v] == 0.0F) {
                 shell_[v] = -1.0F;
-                forEachWedge(v, [&](HalfEdge, HalfEdge, double angle) {
-                    if (angle < kCornerAngle && shell_[v] < 0.0F) {
+                forEachWedge(t_, v, isKept, [&](HalfEdge, HalfEdge, double angle) {
+                    if (angle < kAcuteWedge && shell_[v] < 0.0F) {
                         shell_[v] = 1.0F;
                         corners.push_back(v);
                     }
@@ -147,8 +108,8 @@ void VertexSizes::makeShells(RefineReport& report)
     std::vector<std::uint32_t> ends;
     for (const std::uint32_t v : corners) {
         ends.clear();
-        forEachWedge(v, [&](HalfEdge arm, HalfEdge next, double angle) {
-            if (angle < kCornerAngle) {
+        forEachWedge(t_, v, isKept, [&](HalfEdge arm, HalfEdge next, double angle) {
+            if (angle < kAcuteWedge) {
                 ends.push_back(t_.destination(arm));
                 ends.push_back(t_.destination(next));
             }
@@ -210,7 +171,7 @@ void VertexSizes::measureGaps()
             const std::uint32_t b = t_.destination(h);
             const std::uint32_t c = t_.apex(h);
             const Vec2 along = t_.points[b] - t_.points[a];
-            const double l = length(along);
+            const double l = std::sqrt(squaredLength(along));
             if (!t_.isConstrained(h)) {
                 lowerToGap(a, l);
                 lowerToGap(b, l);
@@ -234,28 +195,29 @@ void VertexSizes::limitGrowth()
 {
     using Entry = std::pair<float, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    for (std::uint32_t v = 1; v < t_.points.size(); ++v) {
-        queue.emplace(h_[v], v);
-    }
-    while (!queue.empty()) {
-        const Entry top = queue.top();
-        queue.pop();
-        const std::uint32_t v = top.second;
-        if (top.first > h_[v]) {
-            continue;
-        }
+    const auto lowerNeighbors = [&](std::uint32_t v) {
         t_.forEachAround(v, [&](HalfEdge edge) {
             const std::uint32_t u = t_.destination(edge);
-            if (u == Topology::kInfinite || !isBesideKept(edge)) {
+            if (u == Topology::kInfinite || h_[u] <= h_[v] || !isBesideKept(edge)) {
                 return;
             }
-            const double reach = kGrowth * distance(t_.points[u], t_.points[v]);
-            const float limit = top.first + static_cast<float>(reach);
+            const double reach = kGrowth * std::sqrt(squaredLength(t_.points[u] - t_.points[v]));
+            const float limit = h_[v] + static_cast<float>(reach);
             if (limit < h_[u]) {
                 h_[u] = limit;
                 queue.emplace(limit, u);
             }
         });
+    };
+    for (std::uint32_t v = 1; v < t_.points.size(); ++v) {
+        lowerNeighbors(v);
+    }
+    while (!queue.empty()) {
+        const Entry top = queue.top();
+        queue.pop();
+        if (top.first == h_[top.second]) {
+            lowerNeighbors(top.second);
+        }
     }
 }
 
@@ -266,7 +228,7 @@ std::size_t VertexSizes::splitLongEdges(RefineReport& report)
     for (std::size_t i = 0; i < count; ++i) {
         const ConstrainedEdge edge = editor_.mesh().edges[i];
         const HalfEdge h = t_.findEdge(edge.a, edge.b);
-        const double l = distance(t_.points[edge.a], t_.points[edge.b]);
+        const double l = std::sqrt(squaredLength(t_.points[edge.b] - t_.points[edge.a]));
         if (l > kLongest * 0.5 * (h_[edge.a] + h_[edge.b]) && isBesideKept(h)
             && !isShellEdge(edge.a, edge.b) && editor_.splitEdge(h, 0.5) != MeshEditor::kNone) {
             ++splits;

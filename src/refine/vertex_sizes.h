@@ -49,8 +49,6 @@ public:
     }
 
 private:
-    template<class F>
-    void forEachWedge(std::uint32_t v, F&& wedge) const;
     void makeShells(RefineReport& report);
     double shellRadius(std::uint32_t v, const std::vector<std::uint32_t>& ends) const;
     bool isShellEdge(std::uint32_t a, std::uint32_t b) const;

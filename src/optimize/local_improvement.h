@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/execution.h"
+#include "optimize/optimize.h"
+#include "optimize/star.h"
+#include "refine/refine.h"
+#include "sizing/size_field.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tessera
+{
+
+/// Improves a mesh where it is bad, by moving and merging free vertices.
+class LocalImprovement
+{
+public:
+    /// Counts what it does in report.
+    LocalImprovement(WorkingMesh& mesh, const SizeField& size, OptimizeReport& report,
+                     Execution& execution);
+
+    /// Works on all bad triangles of the mesh.
+    void improveAll();
+    /// Works on the bad triangles at these vertices only.
+    void improveAround(std::span<const std::uint32_t> vertices);
+
+    /// The kept triangles around all vertices that were worked on so far, ascending. Every bad
+    /// triangle of the mesh is among them after improveAll().
+    std::vector<std::uint32_t> touchedTriangles() const;
+
+private:
+    void run();
+    void startList();
+    void seedAll();
+    void seedAgain();
+    bool isLarge(const std::vector<std::uint32_t>& list) const;
+    void seedIfBad(std::uint32_t triangle);
+    void seedAround(std::uint32_t vertex);
+    void add(std::uint32_t vertex);
+    void growList();
+    void growLargeList();
+    template<class F>
+    void forEachListed(F&& f);
+    bool isFree(std::uint32_t v) const;
+    void smoothLaplace(std::uint32_t v);
+    void searchPattern(std::uint32_t v);
+    void tryCollapse(std::uint32_t v);
+    bool moveIfBetter(Vec2 p, double now);
+    void legalizeStar();
+
+    WorkingMesh& mesh_;
+    Triangulation& t_;
+    const SizeField& size_;
+    OptimizeReport& report_;
+    Execution& execution_;
+    double scan_; ///< squared sine below which a triangle is bad
+    Star star_;
+    std::vector<std::uint32_t> list_; ///< vertices to work on, each once
+    std::vector<std::uint8_t> mark_;  ///< by vertex: bits
+    std::vector<std::uint32_t> touched_;
+    std::vector<HalfEdge> suspects_;
+};
+
+} // namespace tessera
