@@ -5,6 +5,7 @@
 #include "curve/curve_tools.h"
 #include "curve/curve_views.h"
 #include "curve/line.h"
+#include "sample/separate.h"
 #include "sample/size_integral.h"
 
 #include <algorithm>
@@ -84,8 +85,10 @@ public:
             else {
                 sampleStraight(CurveId(c), curve);
             }
-            requireFewPieces(static_cast<double>(pslg_.segments.size()));
+            requireFewPieces(static_cast<double>(pieces_.size()));
         }
+        separatePieces(pslg_.points, pieces_, execution_);
+        exportSegments();
         tellDropped();
         return std::move(pslg_);
     }
@@ -131,7 +134,17 @@ private:
         if (options_.straightSegments) {
             parameters = straightParameters(line, distance(a, b));
         }
-        addPieces(id, curve, line, reversed, parameters, 0.0, 1.0);
+        addPieces(id, nullptr, reversed, parameters, pointsAt(line, parameters));
+    }
+
+    static std::vector<Vec2> pointsAt(const Curve& curve, const std::vector<double>& parameters)
+    {
+        std::vector<Vec2> points;
+        points.reserve(parameters.size());
+        for (const double t : parameters) {
+            points.push_back(curve.point(t));
+        }
+        return points;
     }
 
     /// Inner parameters of a line over [0, 1].
@@ -183,8 +196,7 @@ private:
                                                               / static_cast<double>(counts[i])));
             }
         }
-        addPieces(id, curve, *geometry, reversed, parameters, geometry->first(),
-                  geometry->last());
+        addPieces(id, geometry, reversed, parameters, pointsAt(*geometry, parameters));
     }
 
     /// Parameter lists from corner to corner, with the smooth breaks between.
@@ -241,32 +253,44 @@ private:
         }
     }
 
-    /// parameters: the inner ones, ascending on geometry.
-    void addPieces(CurveId id, const NetworkCurve& curve, const Curve& geometry, bool reversed,
-                   std::vector<double>& parameters, double first, double last)
+    /// parameters: the inner ones, ascending on geometry. Null geometry: straight over [0, 1].
+    void addPieces(CurveId id, const Curve* geometry, bool reversed,
+                   const std::vector<double>& parameters, const std::vector<Vec2>& inner)
     {
-        std::vector<Vec2> points;
-        points.reserve(parameters.size());
-        for (const double t : parameters) {
-            points.push_back(geometry.point(t));
-        }
-        if (reversed) {
-            std::reverse(parameters.begin(), parameters.end());
-            std::reverse(points.begin(), points.end());
-            for (double& t : parameters) {
-                t = first + (last - t);
-            }
-        }
-        PointId previous = curve.start;
-        double tPrevious = first;
+        const NetworkCurve& curve = network_.curves[id.index()];
+        const double first = geometry != nullptr ? geometry->first() : 0.0;
+        const double last = geometry != nullptr ? geometry->last() : 1.0;
+        const double begin = reversed ? last : first;
+        CurvePiece piece {curve.start, curve.start, id, geometry, begin, begin};
         for (std::size_t k = 0; k < parameters.size(); ++k) {
-            pslg_.points.push_back(points[k]);
-            const PointId here(pslg_.points.size() - 1);
-            pslg_.segments.push_back({previous, here, id, tPrevious, parameters[k]});
-            previous = here;
-            tPrevious = parameters[k];
+            const std::size_t i = reversed ? parameters.size() - 1 - k : k;
+            pslg_.points.push_back(inner[i]);
+            piece.b = PointId(pslg_.points.size() - 1);
+            piece.tb = parameters[i];
+            pieces_.push_back(piece);
+            piece.a = piece.b;
+            piece.ta = piece.tb;
         }
-        pslg_.segments.push_back({previous, curve.end, id, tPrevious, last});
+        piece.b = curve.end;
+        piece.tb = reversed ? first : last;
+        pieces_.push_back(piece);
+    }
+
+    /// Pieces run along their curve's base; segments along the curve itself.
+    void exportSegments()
+    {
+        pslg_.segments.reserve(pieces_.size());
+        for (const CurvePiece& piece : pieces_) {
+            double ta = piece.ta;
+            double tb = piece.tb;
+            if (ta > tb) {
+                const double first = piece.geometry != nullptr ? piece.geometry->first() : 0.0;
+                const double last = piece.geometry != nullptr ? piece.geometry->last() : 1.0;
+                ta = first + (last - ta);
+                tb = first + (last - tb);
+            }
+            pslg_.segments.push_back({piece.a, piece.b, piece.curve, ta, tb});
+        }
     }
 
     void tellDropped()
@@ -291,6 +315,7 @@ private:
     Execution& execution_;
     std::vector<std::uint8_t> sharesEnds_;
     std::vector<CurveId> dropped_;
+    std::vector<CurvePiece> pieces_;
     Pslg pslg_;
 };
 

@@ -27,6 +27,8 @@ struct SampleOptions
 /// piece is already less. It is higher where piecesPerTurn or chordError need it, at least 3 on a
 /// closed curve and 2 on a curved one that shares both ends with another curve. Corners inside a
 /// curve become points.
+/// Pieces of curves that do not cross do not cross either: pieces in the way of others are halved
+/// (see separate.h), so that the pieces have the topology of the arranged curves.
 /// The result does not depend on a curve's direction, and curves with the same geometry are cut at
 /// the same points, bit for bit. Curves of zero length are dropped and named in Pslg::messages;
 /// curves with Role::Ignored are left out silently.

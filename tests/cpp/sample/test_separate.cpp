@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "arrange/arrange.h"
+#include "curve/arc.h"
+#include "curve/polyline.h"
+#include "predicates/predicates.h"
+#include "sample/sample.h"
+#include "sizing/uniform_size.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace tessera
+{
+namespace
+{
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+void addCircle(CurveNetwork& network, Vec2 center, double radius, double seam)
+{
+    network.operands.resize(1);
+    const auto geometry = makeCircleArc(center, radius, seam, seam + kTurn);
+    const PointId p = network.addPoint(geometry->point(seam));
+    network.curves.push_back({geometry, p, p, OperandId(0U)});
+}
+
+Pslg sampled(const CurveNetwork& network, double size)
+{
+    Execution execution;
+    ArrangeReport report;
+    return sample(arrange(network, {}, report, execution), UniformSize(size), {}, execution);
+}
+
+/// Pairs of segments that have more in common than an end.
+std::size_t countCrossings(const Pslg& pslg)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < pslg.segments.size(); ++i) {
+        const Vec2 a = pslg.points[pslg.segments[i].a.index()];
+        const Vec2 b = pslg.points[pslg.segments[i].b.index()];
+        for (std::size_t j = i + 1; j < pslg.segments.size(); ++j) {
+            const Vec2 c = pslg.points[pslg.segments[j].a.index()];
+            const Vec2 d = pslg.points[pslg.segments[j].b.index()];
+            if (a == c || a == d || b == c || b == d) {
+                continue;
+            }
+            count += orient2d(a, b, c) * orient2d(a, b, d) <= 0
+                    && orient2d(c, d, a) * orient2d(c, d, b) <= 0
+                ? 1
+                : 0;
+        }
+    }
+    return count;
+}
+
+/// Twice the area that the pieces of each curve enclose.
+std::vector<double> areas(const Pslg& pslg, std::size_t curves)
+{
+    std::vector<double> result(curves, 0.0);
+    for (const PslgSegment& s : pslg.segments) {
+        result[s.curve.index()] +=
+            cross(pslg.points[s.a.index()], pslg.points[s.b.index()]);
+    }
+    return result;
+}
+
+TEST(Separate, ConcentricCirclesInAThinGap)
+{
+    for (const double gap : {1e-2, 1e-3, 1e-4}) {
+        CurveNetwork network;
+        addCircle(network, {0, 0}, 1.0, 0.0);
+        addCircle(network, {0, 0}, 1.0 + gap, 0.3);
+        addCircle(network, {0, 0}, 1.0 + 2 * gap, 0.1);
+        const Pslg pslg = sampled(network, 0.7);
+        EXPECT_EQ(countCrossings(pslg), 0U) << gap;
+        const std::vector<double> enclosed = areas(pslg, 3);
+        EXPECT_LT(enclosed[0], enclosed[1]);
+        EXPECT_LT(enclosed[1], enclosed[2]);
+        // No more than the gap needs: pieces with a sagitta of about a quarter of it.
+        EXPECT_LT(pslg.segments.size(), 60 / std::sqrt(gap));
+    }
+}
+
+TEST(Separate, ASmallLoopBetweenChordAndArcIsBroughtInside)
+{
+    CurveNetwork network;
+    addCircle(network, {0, 0}, 1.0, 0.0);
+    const double middle = kTurn / 16;
+    const Vec2 center = 0.97 * Vec2 {std::cos(middle), std::sin(middle)};
+    addCircle(network, center, 0.01, 0.0);
+    const Pslg pslg = sampled(network, 10.0);
+    EXPECT_EQ(countCrossings(pslg), 0U);
+    // The big circle's pieces near the small one pass outside of it.
+    for (const PslgSegment& s : pslg.segments) {
+        const Vec2 a = pslg.points[s.a.index()];
+        const Vec2 b = pslg.points[s.b.index()];
+        if (s.curve == CurveId(0U)) {
+            EXPECT_GT(cross(b - a, center - a), 0.0);
+        }
+    }
+    EXPECT_LT(pslg.segments.size(), 8U + 8U + 8U);
+}
+
+TEST(Separate, AnEmbeddedPointBetweenChordAndArc)
+{
+    CurveNetwork network;
+    addCircle(network, {0, 0}, 1.0, 0.0);
+    const double middle = kTurn / 16;
+    const Vec2 p = 0.99 * Vec2 {std::cos(middle), std::sin(middle)};
+    network.embedded.push_back({network.addPoint(p), OperandId(0U), "pin"});
+    const Pslg pslg = sampled(network, 10.0);
+    for (const PslgSegment& s : pslg.segments) {
+        const Vec2 a = pslg.points[s.a.index()];
+        EXPECT_GT(cross(pslg.points[s.b.index()] - a, p - a), 0.0);
+    }
+}
+
+TEST(Separate, RandomCrossingCirclesHaveTheTopologyOfTheCircles)
+{
+    std::mt19937 random(41);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (int round = 0; round < 20; ++round) {
+        CurveNetwork network;
+        for (int i = 0; i < 12; ++i) {
+            addCircle(network, {uniform(random), uniform(random)}, 0.1 + 0.4 * uniform(random),
+                      6 * uniform(random));
+        }
+        EXPECT_EQ(countCrossings(sampled(network, 5.0)), 0U);
+        EXPECT_EQ(countCrossings(sampled(network, 0.1)), 0U);
+    }
+}
+
+TEST(Separate, LensesAndTangentCircles)
+{
+    CurveNetwork network;
+    addCircle(network, {0, 0}, 1.0, 0.5);
+    addCircle(network, {0.5, 0}, 0.5, 0.2);
+    addCircle(network, {0.25, 0}, 0.75, 3.2);
+    addCircle(network, {2.0 - 1e-4, 0}, 1.0, 0.9);
+    EXPECT_EQ(countCrossings(sampled(network, 0.9)), 0U);
+}
+
+TEST(Separate, CurvesThatRunOnEachOtherUnsharedEndSoon)
+{
+    // Not arranged: the same circle with two geometries.
+    CurveNetwork network;
+    addCircle(network, {0, 0}, 1.0, 0.0);
+    addCircle(network, {0, 0}, 1.0, 0.1);
+    Execution execution;
+    const Pslg pslg = sample(network, UniformSize(0.5), {}, execution);
+    EXPECT_LT(pslg.segments.size(), 50000U);
+}
+
+} // namespace
+} // namespace tessera
