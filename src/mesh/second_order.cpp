@@ -68,6 +68,22 @@ bool isPositive(const Mesh& mesh, std::uint32_t t)
     return jacobianLowerBound(corner, middle) > 0.0;
 }
 
+/// Adds to the regions' areas what lies between the chords and the parabolas through the mid nodes:
+/// 2/3 of the chord times the mid node's height above it.
+void addCurvedAreas(Mesh& mesh)
+{
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (int i = 0; i < 3; ++i) {
+            const Vec2 a = mesh.nodes[mesh.triangles[t][(i + 1) % 3]];
+            const Vec2 b = mesh.nodes[mesh.triangles[t][(i + 2) % 3]];
+            const Vec2 height = mesh.nodes[mesh.triangleMidNodes[t][i]] - midpoint(a, b);
+            if (height != Vec2 {}) {
+                mesh.regions[mesh.triangleRegion[t]].area -= 2.0 / 3.0 * cross(b - a, height);
+            }
+        }
+    }
+}
+
 } // namespace
 
 double jacobianLowerBound(const Vec2 corner[3], const Vec2 middle[3])
@@ -152,6 +168,7 @@ std::vector<std::uint32_t> makeSecondOrder(Mesh& mesh, const std::vector<Vec2>& 
             }
         }
     }
+    addCurvedAreas(mesh);
     std::sort(moved.begin(), moved.end());
     moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
     return moved;

@@ -70,6 +70,8 @@ TEST(SecondOrder, MidNodesAreSharedAndLieOnTheCurve)
     mesh.nodes = {{-1, 0}, {1, 0}, {0, 1}, {0, -1}};
     mesh.nodeOrigin.assign(4, VertexOrigin::Input);
     mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
+    mesh.triangleRegion = {0, 0};
+    mesh.regions = {{2.0, 0.0, {}}};
     mesh.edges = {{1, 2}};
     const Vec2 onCircle {std::sqrt(0.5), std::sqrt(0.5)};
     const auto moved = makeSecondOrder(mesh, {onCircle});
@@ -79,6 +81,8 @@ TEST(SecondOrder, MidNodesAreSharedAndLieOnTheCurve)
     EXPECT_EQ(mesh.triangleMidNodes[0][0], mesh.edgeMidNodes[0]);
     EXPECT_EQ(mesh.triangleMidNodes[0][2], mesh.triangleMidNodes[1][2]);
     EXPECT_EQ(mesh.nodes[mesh.triangleMidNodes[0][2]], (Vec2 {0, 0}));
+    // The parabola's part beyond the chord of length sqrt(2): 2/3 x chord x height.
+    EXPECT_NEAR(mesh.regions[0].area, 2.0 + 2.0 / 3.0 * (std::sqrt(2.0) - 1.0), 1e-12);
 }
 
 TEST(SecondOrder, FoldingMidNodeIsStraightened)
@@ -87,6 +91,8 @@ TEST(SecondOrder, FoldingMidNodeIsStraightened)
     mesh.nodes = {{0, 0}, {1, 0}, {0.5, 0.1}};
     mesh.nodeOrigin.assign(3, VertexOrigin::Input);
     mesh.triangles = {{0, 1, 2}};
+    mesh.triangleRegion = {0};
+    mesh.regions = {{0.05, 0.0, {}}};
     mesh.edges = {{0, 1}};
     // The curve bulges through the opposite corner.
     const auto moved = makeSecondOrder(mesh, {{0.5, 0.2}});
