@@ -2,8 +2,8 @@
 
 // Constrained Delaunay triangulation of crossing segments, from points and segments to the finished
 // mesh with its constraint map, against CGAL's Constrained_Delaunay_triangulation_2: with inexact
-// crossings (EPICK, Exact_predicates_tag) and with exact ones (EPECK, Exact_intersections_tag). Same
-// input, same process, process CPU time. `vertices` shows who invents or loses some;
+// crossings (EPICK, Exact_predicates_tag) and with exact ones (EPECK, Exact_intersections_tag).
+// Same input, same process, process CPU time. `vertices` shows who invents or loses some;
 // `bytes_per_vertex` is the greatest growth of the heap during one run over the number of vertices.
 
 #include "../tests/cpp/recover/generators.h"

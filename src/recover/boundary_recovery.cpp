@@ -11,21 +11,21 @@
 //     then it is inserted wherever it falls, and the pieces of both segments are recovered again.
 // The piece between the two vertices is then recovered:
 //   Cavity   the triangles that it crosses are removed, and both polygons beside it re-meshed;
-//   Steiner  step 1: a Steiner point at every intersection of the segment with a mesh edge. Those on
-//            constrained edges are the crossings, and stay. Step 2: each of the others is deleted:
-//            the cavity it leaves is re-meshed and split along the boundary. As rounded points lie
-//            beside the line, the boundary may cross further triangles; they belong to the cavity.
-//            A point that rounding puts outside both triangles is left out of step 1.
+//   Steiner  step 1: a Steiner point at every intersection of the segment with a mesh edge. Those
+//            on constrained edges are the crossings, and stay. Step 2: each of the others is
+//            deleted: the cavity it leaves is re-meshed and split along the boundary. As rounded
+//            points lie beside the line, the boundary may cross further triangles; they belong to
+//            the cavity. A point that rounding puts outside both triangles is left out of step 1.
 //
 // Invariant: every vertex of a chain is the correct rounding of a true point of its segment. Since
 // rounding is monotone, a chain never goes backward in x or y, and lies within half a unit in the
 // last place of the segment.
 //
-// Ill-conditioned: a piece meets a constraint that the original does not cross, or crosses again; an
-// order along a segment that rounding turned over; a vertex exactly on a piece although its segment
-// does not pass it; in the end, a vertex beside a piece on the wrong side of its segment. All these
-// end the run; snap rounding takes over (snap_rounding.h). Vertices and segments whose true distances
-// exceed some units in the last place of the greatest coordinate never cause them.
+// Ill-conditioned: a piece meets a constraint that the original does not cross, or crosses again;
+// an order along a segment that rounding turned over; a vertex exactly on a piece although its
+// segment does not pass it; in the end, a vertex beside a piece on the wrong side of its segment.
+// All these end the run; snap rounding takes over (snap_rounding.h). Vertices and segments whose
+// true distances exceed some units in the last place of the greatest coordinate never cause them.
 //
 // It ends: every step adds an incidence (segment, vertex), and there are finitely many crossings.
 // Cost: the triangles crossed by the pieces, and a constant number of flips and exact signs each.
@@ -362,8 +362,8 @@ bool BoundaryRecovery::touches(std::uint32_t x, std::uint32_t y, std::uint32_t z
     return !uses_.empty();
 }
 
-/// Whether every vertex next to a constrained edge is on the side of its segments where it truly is.
-/// Otherwise rounding has hidden a crossing, or would let the order of the segments decide.
+/// Whether every vertex next to a constrained edge is on the side of its segments where it truly
+/// is. Otherwise rounding has hidden a crossing, or would let the order of the segments decide.
 bool BoundaryRecovery::sidesAreTrue() const
 {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {

@@ -27,8 +27,8 @@ struct Departure
 /// Exact. `from` and `to` are different vertices of triangles.
 Departure depart(const Triangulation& mesh, std::uint32_t from, std::uint32_t to);
 
-/// The half-edge from x to y; kDead if the two are not joined. Costs as much as going around the one
-/// with fewer edges.
+/// The half-edge from x to y; kDead if the two are not joined. Costs as much as going around the
+/// one with fewer edges.
 HalfEdge edgeBetween(const Triangulation& mesh, std::uint32_t x, std::uint32_t y);
 
 /// The changes that boundary recovery makes to a triangulation.

@@ -3,9 +3,9 @@
 // Boundary recovery: which way for which input, and the result's maps.
 //
 //   no triangles    all vertices on one line: chains by sorting along it
-//   otherwise       the fast path (boundary_recovery.h); where that finds the input ill-conditioned,
-//                   snap rounding (snap_rounding.h) of the whole input and the fast path on its
-//                   pieces, which meet at vertices only
+//   otherwise       the fast path (boundary_recovery.h); where that finds the input
+//                   ill-conditioned, snap rounding (snap_rounding.h) of the whole input and the
+//                   fast path on its pieces, which meet at vertices only
 
 #include "recover/recover.h"
 

@@ -5,19 +5,20 @@
 // ("Rounding arrangements dynamically", IJCGA 8, 1998) over a constrained triangulation.
 //
 // A grid of square pixels is fixed. A pixel is hot if it contains an input point or a crossing of
-// two segments; hot pixels may also be added at will. Every segment becomes the chain of the centers
-// of all hot pixels that it meets, in its own order. All tests are exact on the original segments.
+// two segments; hot pixels may also be added at will. Every segment becomes the chain of the
+// centers of all hot pixels that it meets, in its own order. All tests are exact on the original
+// segments.
 //
 // Write a chain's piece as U -> V (points of the original segment in two hot pixels that it meets
 // one after the other) becoming u -> v (their centers). The point at parameter t moves by a convex
-// combination of u - U and v - V, hence by less than half a pixel in x and in y: a vector of the
+// combination of u - U and v - V, hence by at most half a pixel in x and in y: a vector of the
 // half-open square Q around 0, if seen from the piece to the segment.
 //
 // Lemma 1. No center h of a hot pixel lies inside a piece u -> v. The original point whose image is
 // h would be h + q with q in Q, in the pixel of h: the segment meets that pixel, and h would be a
 // vertex between u and v.
-// Lemma 2. No two pieces cross. Move all points linearly from the originals to the images. Pieces
-// U -> V of A and X -> Y of B that share no vertex do not meet at first (the pixel of a common point
+// Lemma 2. No two pieces cross. Move all points linearly from the originals to the images. Pieces U
+// -> V of A and X -> Y of B that share no vertex do not meet at first (the pixel of a common point
 // is hot, and would be a vertex of both). If they cross in the end, there is a first time at which
 // an end of one, say U on its way to u, lies on the other. The original point of B that is there by
 // then is u + (1 - t)(U - u) + t q with q in Q: a convex combination of two points of the pixel of
@@ -31,12 +32,12 @@
 // all chains that meet it; then the segment's own chain is made. Both lemmas hold at every step, so
 // that every piece can be put into the triangulation as an edge.
 //
-// Finding things. Whatever a segment s or a pixel has to do with is close: a crossing of s with B is
-// within half a pixel of B's chain, and so is a pixel that B meets. So it is enough to look at the
-// edges and vertices of triangles that come within one pixel of s, or of the pixel; these are
-// connected through edges that do, and are collected from one of them. The closeness test is done in
-// double precision with half a pixel to spare: coordinates are scaled to at most 1 and are multiples
-// of the pixel, at least 2^-44 of the size, so that its error is below 2^-4 pixel.
+// Finding things. Whatever a segment s or a pixel has to do with is close: a crossing of s with B
+// is within half a pixel of B's chain, and so is a pixel that B meets. So it is enough to look at
+// the edges and vertices of triangles that come within one pixel of s, or of the pixel; these are
+// connected through edges that do, and are collected from one of them. The closeness test is done
+// in double precision with half a pixel to spare: coordinates are scaled to at most 1 and are
+// multiples of the pixel, at least 2^-44 of the size, so that its error is below 2^-4 pixel.
 // Cost: the triangles close to each segment, and the incidences (segment, hot pixel).
 
 #include "recover/snap_rounding.h"

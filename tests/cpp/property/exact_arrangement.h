@@ -31,7 +31,8 @@ inline ExactPoint exactPoint(Vec2 p)
 inline double nearestDouble(const Rational& value)
 {
     double result = value.convert_to<double>();
-    const auto error = [&](double candidate) -> Rational { return abs(Rational(candidate) - value); };
+    const auto error
+        = [&](double candidate) -> Rational { return abs(Rational(candidate) - value); };
     for (const double direction : {-1.0, 1.0}) {
         for (;;) {
             const double next
@@ -171,7 +172,8 @@ private:
                 const Rational area = cross(start(i), end(i), p);
                 if (area != 0) {
                     // The distance to the line is a lower bound of that to the segment.
-                    note(std::fabs(area.convert_to<double>()) / length(difference(start(i), end(i))));
+                    note(std::fabs(area.convert_to<double>())
+                         / length(difference(start(i), end(i))));
                 }
             }
         }

@@ -65,8 +65,9 @@ inline void expectSameMesh(const Triangulation& a, const Triangulation& b)
 {
     EXPECT_EQ(a.points.size(), b.points.size());
     const auto any = [](HalfEdge) { return true; };
-    const auto constrained
-        = [](const Triangulation& mesh) { return [&](HalfEdge e) { return mesh.isConstrained(e); }; };
+    const auto constrained = [](const Triangulation& mesh) {
+        return [&](HalfEdge e) { return mesh.isConstrained(e); };
+    };
     const auto certain
         = [](const Triangulation& mesh) { return [&](HalfEdge e) { return isCertain(mesh, e); }; };
     EXPECT_TRUE(EdgeSet(a, constrained(a)) == EdgeSet(b, constrained(b)));

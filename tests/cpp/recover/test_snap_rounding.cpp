@@ -175,7 +175,8 @@ private:
         const Vec2 b = points_[s.b];
         const Vec2 c = points_[t.a];
         const Vec2 d = points_[t.b];
-        if (orient2d(a, b, c) * orient2d(a, b, d) < 0 && orient2d(c, d, a) * orient2d(c, d, b) < 0) {
+        if (orient2d(a, b, c) * orient2d(a, b, d) < 0
+            && orient2d(c, d, a) * orient2d(c, d, b) < 0) {
             heat(grid_.centerOfCrossing(a, b, c, d, crossLines(a, b, c, d).point));
         }
     }
