@@ -129,6 +129,8 @@ class Drawing:
     def _meetings(self, a, b):
         if a.straight and b.straight:
             points = line_meetings(*a.ends, *b.ends)
+        elif a.straight or b.straight:
+            points = line_curve_meetings(*((a, b) if a.straight else (b, a)))
         else:
             points = [np.array([p.X, p.Y]) for p in a.edge.Curve.intersectCC(b.edge.Curve)]
         points += [p for p in a.ends + b.ends]
@@ -193,6 +195,32 @@ def line_meetings(a, b, c, d):
     if abs(cross(u, v)) <= 1e-12 * np.hypot(*u) * np.hypot(*v):
         return []
     return [a + cross(c - a, v) / cross(u, v) * u]
+
+
+def line_curve_meetings(line, curve):
+    """Where a curve passes from one side of a line to the other, by bisection. (OpenCASCADE's own
+    intersection misses some.)"""
+    a, b = line.ends
+
+    def side(t):
+        return cross(b - a, curve.point(t) - a)
+
+    parameters = np.linspace(curve.first, curve.last, 256)
+    sides = [side(t) for t in parameters]
+    points = []
+    for i in range(len(sides) - 1):
+        if sides[i] * sides[i + 1] < 0:
+            low, high = parameters[i], parameters[i + 1]
+            for _ in range(60):
+                middle = 0.5 * (low + high)
+                if side(middle) * sides[i] > 0:
+                    low = middle
+                else:
+                    high = middle
+            points.append(curve.point(low))
+        elif sides[i] == 0:
+            points.append(curve.point(parameters[i]))
+    return points
 
 
 def integrate(curve, t0, t1):

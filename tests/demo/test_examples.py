@@ -2,8 +2,8 @@
 """resources/examples: the script draws the same every time, and the bundled documents are its."""
 
 import os
-import re
 import subprocess
+import xml.etree.ElementTree as ElementTree
 import zipfile
 from pathlib import Path
 
@@ -29,11 +29,18 @@ def drawings(tmp_path_factory):
 
 
 def geometry(path):
-    """The lines of a document that say what its sketches draw, without FreeCAD's numbering."""
+    """[(kind, {attribute: number})] of what a document's sketches draw, without their axes, which
+    only newer versions of FreeCAD write."""
+    kinds = ("LineSegment", "ArcOfCircle", "Circle", "BSplineCurve", "Pole")
     with zipfile.ZipFile(path) as archive:
         text = archive.read("Document.xml").decode()
-    kinds = "LineSegment|ArcOfCircle|Circle|BSplineCurve|Pole"
-    return re.findall(rf"<(?:{kinds}) [^>]*>", text)
+    drawn = []
+    for sketch in ElementTree.fromstring(text).iter("Property"):
+        if sketch.get("name") == "Geometry":
+            for element in sketch.iter():
+                if element.tag in kinds:
+                    drawn.append((element.tag, {k: float(v) for k, v in element.items()}))
+    return drawn
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -45,5 +52,11 @@ def test_drawing_twice_gives_the_same_bytes(drawings, name):
 @pytest.mark.parametrize("name", NAMES)
 def test_bundled_document_is_what_the_script_draws(drawings, name):
     drawn = geometry(drawings[0] / f"{name}.FCStd")
-    assert len(drawn) > 5
-    assert geometry(EXAMPLES / f"{name}.FCStd") == drawn
+    bundled = geometry(EXAMPLES / f"{name}.FCStd")
+    assert len(drawn) == len(bundled) > 5
+    for (kind, numbers), (bundled_kind, bundled_numbers) in zip(drawn, bundled):
+        assert kind == bundled_kind
+        common = numbers.keys() & bundled_numbers.keys()
+        assert len(common) >= 3
+        # The solver of another version of FreeCAD rounds differently.
+        assert all(abs(numbers[k] - bundled_numbers[k]) < 1e-9 for k in common), kind
