@@ -42,6 +42,13 @@ def user_folder(tmp_path_factory):
     return folder
 
 
+def test_no_caches_and_no_foreign_modules_are_installed(user_folder):
+    # First of all tests: running the addon makes caches.
+    addon = user_folder / "Mod" / "Tessera"
+    assert not list(addon.rglob("__pycache__"))
+    assert len(list(addon.rglob("*.so"))) == 1
+
+
 def test_freecad_meshes_with_the_installed_addon(user_folder):
     script = user_folder / "mesh_a_square.py"
     script.write_text(MESH_A_SQUARE)
@@ -76,9 +83,3 @@ def test_installed_command_line_runs(user_folder):
     ).stdout
     metadata = ElementTree.parse(user_folder / "Mod" / "Tessera" / "package.xml").getroot()
     assert metadata.findtext("{https://wiki.freecad.org/Package_Metadata}version") in version
-
-
-def test_no_caches_and_no_foreign_modules_are_installed(user_folder):
-    addon = user_folder / "Mod" / "Tessera"
-    assert not list(addon.rglob("__pycache__"))
-    assert len(list(addon.rglob("*.so"))) == 1

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -55,17 +56,33 @@ public:
         return finish(start(arguments));
     }
 
-    /// Sends a signal after a while.
+    /// Sends a signal some time after the program has begun to catch it, however slow its start.
     Outcome interrupt(const std::vector<std::string>& arguments, int signal,
                       std::chrono::milliseconds after) const
     {
         const pid_t process = start(arguments);
+        constexpr int kTries = 60000;
+        for (int i = 0; i < kTries && !catches(process, signal); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
         std::this_thread::sleep_for(after);
         kill(process, signal);
         return finish(process);
     }
 
 private:
+    /// As the kernel tells: SigCgt is a mask of the signals with a handler.
+    static bool catches(pid_t process, int signal)
+    {
+        std::ifstream status("/proc/" + std::to_string(process) + "/status");
+        for (std::string line; std::getline(status, line);) {
+            if (line.starts_with("SigCgt:")) {
+                return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1U) != 0;
+            }
+        }
+        return false;
+    }
+
     std::string hidden(const char* name) const
     {
         return outputs_.path().string() + "/" + name;

@@ -330,7 +330,7 @@ TEST_F(MeshCommand, TimeLimitAndInterruptLeaveNothing)
     refuse(limited, "time limit", 3);
     for (const int signal : {SIGINT, SIGTERM}) {
         const Outcome outcome =
-            program.interrupt(big, signal, std::chrono::milliseconds(300));
+            program.interrupt(big, signal, std::chrono::milliseconds(100));
         EXPECT_EQ(outcome.status, 3) << outcome.err;
         EXPECT_EQ(outcome.err, "tessera: Cancelled.\n");
         EXPECT_EQ(program.folder().fileCount(), 1U);
