@@ -60,6 +60,25 @@ const std::map<std::string, RecoveryStrategy> kStrategies {
     {"steiner", RecoveryStrategy::Steiner},
 };
 
+/// Takes the names and nothing else: CLI11's own transformer lets the numbers behind them pass too.
+template<class Choice>
+CLI::Validator namesOnly(const std::map<std::string, Choice>& choices)
+{
+    const auto toNumber = [&choices](std::string& text) -> std::string {
+        const auto found = choices.find(text);
+        if (found == choices.end()) {
+            std::string names;
+            for (const auto& [name, choice] : choices) {
+                names += (names.empty() ? "" : ", ") + name;
+            }
+            return fmt::format("'{}' is not one of {}", text, names);
+        }
+        text = std::to_string(static_cast<int>(found->second));
+        return {};
+    };
+    return CLI::Validator(toNumber, "");
+}
+
 void addOptions(CLI::App& command, MeshArguments& a)
 {
     command.add_option("INPUT", a.inputs,
@@ -79,7 +98,7 @@ void addOptions(CLI::App& command, MeshArguments& a)
         .add_option("--fill", a.fill,
                     "What is inside: even-odd (default), nonzero, positive, negative, all (every "
                     "bounded face) or hull (the convex hull)")
-        ->transform(CLI::Transformer(kFillRules))
+        ->transform(namesOnly(kFillRules))
         ->type_name("RULE");
     command
         .add_option("--boundary", a.roles.boundary,
@@ -99,7 +118,7 @@ void addOptions(CLI::App& command, MeshArguments& a)
     command
         .add_option("--recovery", a.recovery,
                     "How boundaries are recovered: cavity (default) or steiner")
-        ->transform(CLI::Transformer(kStrategies))
+        ->transform(namesOnly(kStrategies))
         ->type_name("STRATEGY");
     command.add_option("--time-limit", a.timeLimit, "Seconds after which to give up");
     command.add_option("--stages", a.stages, "Folder for a picture of each stage")

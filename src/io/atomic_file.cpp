@@ -51,6 +51,14 @@ AtomicFile::AtomicFile(std::filesystem::path path)
     if (std::filesystem::is_directory(path_, ignored)) {
         fail(EISDIR);
     }
+    // A device or pipe (/dev/null, /dev/stdout) is written to, never replaced by a file.
+    if (std::filesystem::is_other(path_, ignored)) {
+        temporary_ = path_;
+        if (::access(path_.c_str(), W_OK) != 0) {
+            fail(errno);
+        }
+        return;
+    }
     for (int attempt = 0; attempt < 100; ++attempt) {
         temporary_ = path_.parent_path()
             / fmt::format(".{}.{}-{}.part{}", path_.stem().string(), ::getpid(), attempt,
@@ -93,7 +101,7 @@ void AtomicFile::write(std::string_view content) const
 
 void AtomicFile::commit()
 {
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    if (pending_ && ::rename(temporary_.c_str(), path_.c_str()) != 0) {
         fail(errno);
     }
     pending_ = false;

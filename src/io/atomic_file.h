@@ -10,7 +10,7 @@ namespace tessera
 
 /// An output file that appears whole or not at all: written under another name in the same folder,
 /// renamed by commit(). Without commit() the destructor removes it and an older file of that name
-/// stays as it was. All functions throw Error(Unwritable).
+/// stays as it was. A device or pipe is written to directly. All functions throw Error(Unwritable).
 class AtomicFile
 {
 public:

@@ -208,7 +208,7 @@ TEST_F(MeshCommand, BadOptions)
     refuse(with({"--min-angle", "40"}), "angle");
     refuse(with({"--size", "1e-9"}), "memory");
     for (const auto& wrong : std::vector<std::vector<std::string>> {
-             {"--size", "small"}, {"--size"}, {"--order", "3"}, {"--fill", "some"},
+             {"--size", "small"}, {"--size"}, {"--order", "3"}, {"--fill", "some"}, {"--fill", "3"},
              {"--recovery", "none"}, {"--constraint", "1,x"}, {"--no-such-option"},
              {"--threads", "2"}, {"--elements", "quad"}}) {
         refuse(with(wrong), "--help", 2);
