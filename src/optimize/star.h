@@ -5,6 +5,7 @@
 #include "delaunay/triangulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -19,9 +20,10 @@ inline double squaredSineOfSmallest(Vec2 a, Vec2 b, Vec2 c)
     const double bc = squaredLength(c - b);
     const double ca = squaredLength(a - c);
     const double twiceArea = cross(b - a, c - a);
-    const double shortest = std::min({ab, bc, ca});
-    const double product = ab * bc * ca;
-    return product > 0.0 ? twiceArea * std::abs(twiceArea) * shortest / product : 0.0;
+    // The two longer edges; ratios first, so that no power of a length above the second occurs.
+    const double longest = std::max({ab, bc, ca});
+    const double middle = std::max(std::min(ab, bc), std::min(std::max(ab, bc), ca));
+    return middle > 0.0 ? twiceArea / longest * (std::abs(twiceArea) / middle) : 0.0;
 }
 
 /// The ring of vertices around an interior vertex, counter-clockwise.

@@ -58,11 +58,12 @@ struct Shape
 
     double cosineOfSmallest() const
     {
-        return (squared[1] + squared[2] - squared[0]) / (2.0 * std::sqrt(squared[1] * squared[2]));
+        return (squared[1] + squared[2] - squared[0])
+            / (2.0 * std::sqrt(squared[1]) * std::sqrt(squared[2]));
     }
     double circumradius() const
     {
-        return std::sqrt(squared[0] * squared[1] * squared[2]) / (4.0 * area);
+        return 0.25 * std::sqrt(squared[0] / area * (squared[1] / area) * squared[2]);
     }
 };
 
@@ -235,10 +236,10 @@ private:
     {
         const Vec2 b = s.p[1] - s.p[0];
         const Vec2 c = s.p[2] - s.p[0];
-        const double scale = 0.5 / cross(b, c);
-        const Vec2 center = s.p[0]
-            + Vec2 {scale * (c.y * s.squared[2] - b.y * s.squared[1]),
-                    scale * (b.x * s.squared[1] - c.x * s.squared[2])};
+        const double alongC = 0.5 * (s.squared[2] / cross(b, c));
+        const double alongB = 0.5 * (s.squared[1] / cross(b, c));
+        const Vec2 center
+            = s.p[0] + Vec2 {alongC * c.y - alongB * b.y, alongB * b.x - alongC * c.x};
         if (isLarge) {
             return center;
         }

@@ -189,7 +189,7 @@ std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOption
             std::swap(squared[0], squared[2]);
         }
         const double twiceDot = squared[1] + squared[2] - squared[0];
-        if (twiceDot > 2.0 * cosineLimit * std::sqrt(squared[1] * squared[2])) {
+        if (twiceDot > 2.0 * cosineLimit * std::sqrt(squared[1]) * std::sqrt(squared[2])) {
             angles.push_back({"min_angle", center,
                               std::atan2(twiceArea, 0.5 * twiceDot) * degrees, options.minAngle});
         }

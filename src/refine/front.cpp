@@ -123,9 +123,10 @@ private:
         const Vec2 c = t_.points[v[2]];
         const double twiceArea = cross(b - a, c - a);
         const double h = (sizes_[v[0]] + sizes_[v[1]] + sizes_[v[2]]) / 3.0;
-        const double squares = squaredLength(b - a) * squaredLength(c - b) * squaredLength(a - c);
-        const double limit = 2.0 * kAcceptedRadius * h * twiceArea;
-        if (squares < limit * limit) {
+        const double limit = 2.0 * kAcceptedRadius * h;
+        // Ratios first: no power of a length above the second, for the sake of the range.
+        const double ratios = squaredLength(b - a) / twiceArea * (squaredLength(c - b) / twiceArea);
+        if (ratios * squaredLength(a - c) < limit * limit) {
             state_[triangle] = State::Accepted;
         }
     }
@@ -236,7 +237,7 @@ private:
         // Signed distance of the circumcenter from the edge.
         const Vec2 u = a - c;
         const Vec2 w = b - c;
-        d = std::min(d, 0.5 * l * dot(u, w) / cross(u, w));
+        d = std::min(d, 0.5 * l * (dot(u, w) / cross(u, w)));
         if (!(d > 0.0)) {
             return false;
         }

@@ -37,7 +37,7 @@ LatticePatch placeLattice(MeshEditor& editor, VertexSizes& sizes, Execution& exe
     }
     const double largest = std::max({std::fabs(box.min.x), std::fabs(box.min.y),
                                      std::fabs(box.max.x), std::fabs(box.max.y)});
-    if (!(h > kSmallestSpacing * largest)) {
+    if (!(h > kSmallestSpacing * largest && h < box.diagonal())) {
         return {};
     }
     const HexLattice lattice {box.min, h};

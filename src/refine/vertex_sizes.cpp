@@ -55,9 +55,9 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
     for (int round = 0;; ++round) {
         execution.checkpoint();
         h_.resize(t_.points.size());
-        shell_.resize(t_.points.size(), 0.0F);
+        shell_.resize(t_.points.size(), 0.0);
         for (std::uint32_t v = 1; v < t_.points.size(); ++v) {
-            h_[v] = static_cast<float>(fieldAt(t_.points[v]));
+            h_[v] = fieldAt(t_.points[v]);
         }
         measureSpacing();
         measureGaps();
@@ -72,7 +72,7 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
 void VertexSizes::lower(std::uint32_t vertex, double spacing)
 {
     if (spacing < kGapRatio * h_[vertex]) {
-        h_[vertex] = static_cast<float>(spacing);
+        h_[vertex] = spacing;
     }
 }
 
@@ -89,16 +89,16 @@ void VertexSizes::measureSpacing()
 /// Gives the arms of every corner below 60 degrees first edges of one length.
 void VertexSizes::makeShells(RefineReport& report)
 {
-    shell_.assign(t_.points.size(), 0.0F);
+    shell_.assign(t_.points.size(), 0.0);
     std::vector<std::uint32_t> corners;
     const auto isKept = [this](std::uint32_t triangle) { return editor_.isKept(triangle); };
     for (const ConstrainedEdge& edge : editor_.mesh().edges) {
         for (const std::uint32_t v : {edge.a, edge.b}) {
-            if (shell_[v] == 0.0F) {
-                shell_[v] = -1.0F;
+            if (shell_[v] == 0.0) {
+                shell_[v] = -1.0;
                 forEachWedge(t_, v, isKept, [&](HalfEdge, HalfEdge, double angle) {
-                    if (angle < kAcuteWedge && shell_[v] < 0.0F) {
-                        shell_[v] = 1.0F;
+                    if (angle < kAcuteWedge && shell_[v] < 0.0) {
+                        shell_[v] = 1.0;
                         corners.push_back(v);
                     }
                 });
@@ -117,7 +117,7 @@ void VertexSizes::makeShells(RefineReport& report)
         std::sort(ends.begin(), ends.end());
         ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
         const double radius = shellRadius(v, ends);
-        shell_[v] = static_cast<float>(radius);
+        shell_[v] = radius;
         for (const std::uint32_t end : ends) {
             const double arm = distance(t_.points[v], t_.points[end]);
             const HalfEdge edge = t_.findEdge(v, end);
@@ -126,7 +126,7 @@ void VertexSizes::makeShells(RefineReport& report)
                 ++report.segmentSplits;
             }
         }
-        shell_.resize(t_.points.size(), 0.0F);
+        shell_.resize(t_.points.size(), 0.0);
     }
 }
 
@@ -138,7 +138,7 @@ double VertexSizes::shellRadius(std::uint32_t v, const std::vector<std::uint32_t
     for (const std::uint32_t end : ends) {
         const double arm = distance(t_.points[v], t_.points[end]);
         // An arm between two corners is cut from both sides.
-        radius = std::min(radius, shell_[end] > 0.0F ? 0.4 * arm : arm);
+        radius = std::min(radius, shell_[end] > 0.0 ? 0.4 * arm : arm);
     }
     for (const std::uint32_t end : ends) {
         const double arm = distance(t_.points[v], t_.points[end]);
@@ -152,8 +152,8 @@ double VertexSizes::shellRadius(std::uint32_t v, const std::vector<std::uint32_t
 bool VertexSizes::isShellEdge(std::uint32_t a, std::uint32_t b) const
 {
     const double l = distance(t_.points[a], t_.points[b]);
-    return (shell_[a] > 0.0F && l <= 1.05 * shell_[a])
-        || (shell_[b] > 0.0F && l <= 1.05 * shell_[b]);
+    return (shell_[a] > 0.0 && l <= 1.05 * shell_[a])
+        || (shell_[b] > 0.0 && l <= 1.05 * shell_[b]);
 }
 
 void VertexSizes::measureGaps()
@@ -179,8 +179,8 @@ void VertexSizes::measureGaps()
             }
             const Vec2 toApex = t_.points[c] - t_.points[a];
             const double foot = dot(toApex, along) / (l * l);
-            const bool atCorner = (shell_[a] > 0.0F && t_.isConstrained(Topology::prev(h)))
-                || (shell_[b] > 0.0F && t_.isConstrained(Topology::next(h)));
+            const bool atCorner = (shell_[a] > 0.0 && t_.isConstrained(Topology::prev(h)))
+                || (shell_[b] > 0.0 && t_.isConstrained(Topology::next(h)));
             if (foot > 0.0 && foot < 1.0 && !atCorner) {
                 const double gap = cross(along, toApex) / l;
                 for (const std::uint32_t v : {a, b, c}) {
@@ -193,7 +193,7 @@ void VertexSizes::measureGaps()
 
 void VertexSizes::limitGrowth()
 {
-    using Entry = std::pair<float, std::uint32_t>;
+    using Entry = std::pair<double, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     const auto lowerNeighbors = [&](std::uint32_t v) {
         t_.forEachAround(v, [&](HalfEdge edge) {
@@ -202,7 +202,7 @@ void VertexSizes::limitGrowth()
                 return;
             }
             const double reach = kGrowth * std::sqrt(squaredLength(t_.points[u] - t_.points[v]));
-            const float limit = h_[v] + static_cast<float>(reach);
+            const double limit = h_[v] + reach;
             if (limit < h_[u]) {
                 h_[u] = limit;
                 queue.emplace(limit, u);

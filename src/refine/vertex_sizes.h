@@ -30,14 +30,14 @@ public:
     void set(std::uint32_t vertex, double h)
     {
         if (vertex >= h_.size()) {
-            h_.resize(vertex + 1, 0.0F);
+            h_.resize(vertex + 1, 0.0);
         }
-        h_[vertex] = static_cast<float>(h);
+        h_[vertex] = h;
     }
     void fill(std::uint32_t begin, std::uint32_t end, double h)
     {
-        h_.resize(end, 0.0F);
-        std::fill(h_.begin() + begin, h_.end(), static_cast<float>(h));
+        h_.resize(end, 0.0);
+        std::fill(h_.begin() + begin, h_.end(), h);
     }
     /// The constant value of fieldAt() if the size field is uniform, else 0.
     double uniformSize() const { return std::min(size_.uniformSize(), areaSize_); }
@@ -64,8 +64,8 @@ private:
     const SizeField& size_;
     const RefineOptions& options_;
     double areaSize_;
-    std::vector<float> h_;     ///< by vertex
-    std::vector<float> shell_; ///< by vertex: radius around a corner below 60 degrees, else <= 0
+    std::vector<double> h_;     ///< by vertex
+    std::vector<double> shell_; ///< by vertex: radius around a corner below 60 degrees, else <= 0
 };
 
 } // namespace tessera

@@ -87,6 +87,42 @@ TEST(Optimize, RandomDomains)
     }
 }
 
+TEST(Optimize, PowersOfTwoChangeNothing)
+{
+    const auto make = [](double scale) {
+        const UniformSize size(0.1 * scale);
+        Domain d;
+        d.addPolygon({{0, 0}, {scale, 0}, {scale, scale}, {0, scale}}, &size);
+        d.addPolygon({{0.3 * scale, 0.3 * scale}, {0.7 * scale, 0.4 * scale},
+                      {0.4 * scale, 0.41 * scale}},
+                     &size);
+        return optimizeDomain(d, size);
+    };
+    const Optimized expected = make(1.0);
+    ASSERT_GE(expected.after.triangles, 200U);
+    for (const int power : {-460, -200, -30, 30, 200, 460}) {
+        const Optimized r = make(std::ldexp(1.0, power));
+        ASSERT_EQ(r.mesh.triangulation.points.size(), expected.mesh.triangulation.points.size());
+        for (std::size_t v = 1; v < r.mesh.triangulation.points.size(); ++v) {
+            const Vec2 p = expected.mesh.triangulation.points[v];
+            ASSERT_EQ(r.mesh.triangulation.points[v],
+                      (Vec2 {std::ldexp(p.x, power), std::ldexp(p.y, power)}));
+        }
+    }
+}
+
+TEST(Optimize, SizesLargerThanTheDomain)
+{
+    for (const double h : {1.0, 100.0, 1e300, std::numeric_limits<double>::infinity()}) {
+        const UniformSize size(h);
+        Domain d;
+        d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, nullptr);
+        const Optimized r = optimizeDomain(d, size);
+        expectValid(r);
+        EXPECT_LE(r.after.triangles, 8U);
+    }
+}
+
 TEST(Optimize, SameInputSameBytes)
 {
     const UniformSize size(0.03);
