@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -27,6 +28,8 @@ public:
     void setProgress(Progress progress) { progress_ = std::move(progress); }
     void setTimeLimit(double seconds)
     {
+        constexpr double kForever = 1e9; // the clock cannot count much farther
+        seconds = std::min(seconds, kForever);
         deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                         std::chrono::duration<double>(seconds));
     }
