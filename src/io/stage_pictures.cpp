@@ -233,6 +233,14 @@ void StagePictures::steinerRemoved(const Triangulation& triangulation, std::uint
 
 void StagePictures::recovered(const RecoveryResult& result)
 {
+    if (steiner_.available()) {
+        save("steiner-before", steiner_.view(),
+             "Steiner point G where a boundary crosses a mesh edge, and its cavity",
+             [this](Canvas& canvas) { steiner_.drawBefore(canvas); });
+        save("steiner-after", steiner_.view(),
+             "G deleted: the cavity is split along the boundary and both parts re-meshed",
+             [this](Canvas& canvas) { steiner_.drawAfter(canvas); });
+    }
     if (!drawsRecovery_) {
         return;
     }
@@ -255,14 +263,6 @@ void StagePictures::recovered(const RecoveryResult& result)
                  }
              }
          });
-    if (steiner_.available()) {
-        save("steiner-before", steiner_.view(),
-             "Steiner point G where a boundary crosses a mesh edge, and its cavity",
-             [this](Canvas& canvas) { steiner_.drawBefore(canvas); });
-        save("steiner-after", steiner_.view(),
-             "G deleted: the cavity is split along the boundary and both parts re-meshed",
-             [this](Canvas& canvas) { steiner_.drawAfter(canvas); });
-    }
 }
 
 void StagePictures::outsideRemoved(const RecoveryResult& result, const RegionMap& regions)

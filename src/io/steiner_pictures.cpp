@@ -25,16 +25,17 @@ void SteinerPictures::steinerInserted(const Triangulation& triangulation, std::u
     if (removing_) {
         removing_ = false;
         inserted_.clear();
-        first_.reset();
+        snapshots_.clear();
         ++segments_;
     }
     if (segments_ >= kMostSegments) {
         return;
     }
     inserted_.push_back(vertex);
-    // The first is deleted when all have been inserted: what is around it then counts.
-    if (inserted_.size() <= kMostPoints) {
-        first_ = around(triangulation, inserted_.front());
+    // One of them is deleted when all have been inserted: what is around it then counts.
+    snapshots_.clear();
+    for (std::size_t i = 0; i < inserted_.size() && inserted_.size() <= kMostPoints; ++i) {
+        snapshots_.push_back(around(triangulation, inserted_[i]));
     }
 }
 
@@ -42,18 +43,19 @@ void SteinerPictures::steinerRemoved(const Triangulation& triangulation, std::ui
 {
     const bool isFirst = !removing_;
     removing_ = true;
-    if (!isFirst || !first_ || inserted_.front() != formerVertex
-        || inserted_.size() > kMostPoints) {
+    const auto at = static_cast<std::size_t>(
+        std::find(inserted_.begin(), inserted_.end(), formerVertex) - inserted_.begin());
+    if (!isFirst || at >= snapshots_.size() || !snapshots_[at]) {
         return;
     }
-    const double clarity = clarityOf(*first_);
+    const Snapshot& before = *snapshots_[at];
+    const double clarity = clarityOf(before);
     if (best_ && clarity <= best_->clarity) {
         return;
     }
-    Snapshot after = *first_;
-    after.edges = edgesIn(triangulation, first_->window, first_->link.front());
-    best_ = Pair {std::move(*first_), std::move(after), clarity};
-    first_.reset();
+    Snapshot after = before;
+    after.edges = edgesIn(triangulation, before.window, before.link.front());
+    best_ = Pair {before, std::move(after), clarity};
 }
 
 /// None at the border of the triangulation.

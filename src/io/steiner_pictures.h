@@ -60,7 +60,7 @@ private:
     static void draw(Canvas& canvas, const Snapshot& snapshot, const std::vector<Vec2>& cavity);
 
     std::vector<std::uint32_t> inserted_; ///< on the segment being recovered
-    std::optional<Snapshot> first_;       ///< around inserted_.front(), as it is now
+    std::vector<std::optional<Snapshot>> snapshots_; ///< around each of inserted_, as it is now
     std::size_t segments_ = 0;
     bool removing_ = false;
     std::optional<Pair> best_;
