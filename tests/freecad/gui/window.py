@@ -36,6 +36,12 @@ def main_window():
     return FreeCADGui.getMainWindow()
 
 
+def visible_widgets():
+    """References from QObject.findChildren() would stay for ever and be taken for new widgets at
+    the address of deleted ones; these go with the list."""
+    return [widget for widget in QtGui.QApplication.allWidgets() if widget.isVisible()]
+
+
 def select(*items):
     """Objects, or (object, "Edge1", ...)."""
     FreeCADGui.Selection.clearSelection()
@@ -68,20 +74,25 @@ def show_from_above():
 
 
 class Panel:
-    """The open task panel, as a user sees it."""
+    """The open task panel, as a user sees it. Widgets are looked up when they are needed: a
+    reference to a deleted one could be taken for a new widget at the same address."""
 
     def __init__(self):
         wait_until(lambda: self.find() is not None, 10)
-        self.form = self.find()
 
     @staticmethod
     def find():
         """The panel's form; those of closed panels may still wait to be deleted."""
-        forms = main_window().findChildren(QtGui.QWidget, "TesseraPlanarMesh")
-        return next((form for form in forms if form.isVisible()), None)
+        forms = [w for w in visible_widgets() if w.objectName() == "TesseraPlanarMesh"]
+        return forms[0] if forms else None
 
     def widget(self, name):
-        return self.form.findChild(QtGui.QWidget, name)
+        return self.find().findChild(QtGui.QWidget, name)
+
+    def constraints(self):
+        """What the list of constraint edges shows."""
+        model = self.widget("constraintList").model()
+        return [model.index(row, 0).data() for row in range(model.rowCount())]
 
     @property
     def message(self):
@@ -117,13 +128,19 @@ class Panel:
 
     def press(self, button):
         """Presses OK or Cancel at the top of the task view."""
-        for box in main_window().findChildren(QtGui.QDialogButtonBox):
-            found = box.button(getattr(QtGui.QDialogButtonBox, button))
-            if found is not None and found.isVisible():
-                found.click()
-                wait(0.3)
-                return
-        raise AssertionError(f"there is no {button}")
+        _click_later(button)
+        wait(0.3)
+
+
+def _click_later(name):
+    """Clicks when no reference is left here to what the click deletes."""
+    kind = getattr(QtGui.QDialogButtonBox, name)
+    for box in visible_widgets():
+        button = box.button(kind) if isinstance(box, QtGui.QDialogButtonBox) else None
+        if button is not None:
+            QtCore.QTimer.singleShot(0, button.click)
+            return
+    raise AssertionError(f"there is no {name}")
 
 
 def open_panel(*items):

@@ -81,6 +81,7 @@ class PlanarMeshPanel:
         self._growth = _Number(self.form.growthField, is_length=False)
         self._constraints = []
         self._job = None
+        self._requests = []
         self._shapes = []
         self._transaction = False
         self._closing = False
@@ -191,9 +192,10 @@ class PlanarMeshPanel:
             text = translate("Tessera", "What was to be meshed has been deleted; close the panel.")
             self._show_message(text, _CRITICAL)
             return
+        self._requests = requests
         self._job = MeshJob(requests)
         self._job.progressed.connect(self._on_progress)
-        self._job.finished.connect(lambda meshes: self._on_finished(requests, meshes))
+        self._job.finished.connect(self._on_finished)
         self._job.failed.connect(self._on_failed)
         self._show_running(True)
         self._job.start()
@@ -222,7 +224,8 @@ class PlanarMeshPanel:
         elif not isinstance(error, (tessera.Error, ImportError)):
             FreeCAD.Console.PrintError(f"Tessera: {type(error).__name__}: {error}\n")
 
-    def _on_finished(self, requests, meshes):
+    def _on_finished(self, meshes):
+        requests = self._requests
         closing, self._closing = self._closing, False
         if not self._document_is_open():
             self._end_job()
