@@ -337,7 +337,9 @@ private:
         MeshReport& report = result_.report;
         Mesh& mesh = result_.mesh;
         mesh = std::move(extracted.mesh);
+        execution_.checkpoint();
         report.quality = measureQuality(mesh, &size);
+        execution_.checkpoint();
         if (options_.order == 2) {
             for (const std::uint32_t e : makeSecondOrder(mesh, extracted.edgeMiddle)) {
                 report.unreached.push_back(

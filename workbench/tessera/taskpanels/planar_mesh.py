@@ -225,6 +225,9 @@ class PlanarMeshPanel:
             FreeCAD.Console.PrintError(f"Tessera: {type(error).__name__}: {error}\n")
 
     def _on_finished(self, meshes):
+        if self._job.cancelled:
+            self._on_failed(0, tessera.CancelledError("Cancelled."))
+            return
         requests = self._requests
         closing, self._closing = self._closing, False
         if not self._document_is_open():

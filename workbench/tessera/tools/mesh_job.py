@@ -22,6 +22,7 @@ class MeshJob(QtCore.QObject):
         self._prepared = []
         self._execution = None
         self._thread = None
+        self.cancelled = False  #: a result that was already on its way is not wanted any more
 
     def start(self):
         """Reads the document, then leaves the thread to its work. Bad input fails at once."""
@@ -36,7 +37,9 @@ class MeshJob(QtCore.QObject):
         self._thread.start()
 
     def cancel(self):
-        """Ends the run soon; failed comes with a tessera.CancelledError."""
+        """Ends the run soon; failed comes with a tessera.CancelledError, or finished if the mesh
+        was there already."""
+        self.cancelled = True
         if self._execution is not None:
             self._execution.cancel()
 
