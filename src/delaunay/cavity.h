@@ -87,9 +87,14 @@ private:
     Edge* bottom_;
 };
 
-/// Inserts points into a triangulation that has triangles. KeepIncident: maintain
-/// Triangulation::incident (the bulk builder fills it once at the end instead).
-template<bool KeepIncident>
+enum class CavityMode
+{
+    General,
+    Bulk, ///< no constrained edges; Triangulation::incident is left alone, to be filled at the end
+};
+
+/// Inserts points into a triangulation that has triangles.
+template<CavityMode Mode>
 class Cavity
 {
 public:
@@ -210,6 +215,10 @@ private:
     static constexpr std::uint32_t kNone = 0xffffffffU;
     static constexpr double kBound = 4.0 * exact::kUnit;
 
+    static bool isConstrained(std::uint32_t link)
+    {
+        return Mode == CavityMode::General && (link & Topology::kConstrainedBit) != 0;
+    }
     static double cross(const Corner& a, const Corner& b) { return a.x * b.y - a.y * b.x; }
 
     Corner corner(std::uint32_t vertex) const
@@ -277,11 +286,14 @@ private:
         while (!stack_.empty()) {
             Edge edge = stack_.pop();
             for (;;) {
-                const std::uint32_t beyond = (edge.outer & ~Topology::kConstrainedBit) >> 2;
+                if (isConstrained(edge.outer)) {
+                    break;
+                }
+                const std::uint32_t beyond = edge.outer >> 2;
                 const std::uint32_t side = edge.outer & 3U;
                 Topology::Triangle& triangle = triangles[beyond];
                 const std::uint32_t c = triangle.v[side];
-                if (c == Topology::kInfinite || (edge.outer & Topology::kConstrainedBit) != 0) {
+                if (c == Topology::kInfinite) {
                     break;
                 }
                 const double cx = points[c].x - px;
@@ -326,10 +338,9 @@ private:
         triangle.link[0] = outer;
         triangle.link[2] = Topology::halfEdge(predecessor, 1);
         triangles[predecessor].link[1] = Topology::halfEdge(slot, 2);
-        const HalfEdge other = outer & ~Topology::kConstrainedBit;
-        triangles[other >> 2].link[other & 3U]
-            = Topology::halfEdge(slot, 0) | (outer & Topology::kConstrainedBit);
-        if constexpr (KeepIncident) {
+        const std::uint32_t bit = isConstrained(outer) ? Topology::kConstrainedBit : 0U;
+        triangles[(outer & ~bit) >> 2].link[outer & 3U] = Topology::halfEdge(slot, 0) | bit;
+        if constexpr (Mode == CavityMode::General) {
             t_.incident[a] = Topology::halfEdge(slot, 0);
         }
     }
@@ -348,7 +359,7 @@ private:
     void closeInside()
     {
         t_.join(Topology::halfEdge(lastNew_, 1), Topology::halfEdge(firstNew_, 2));
-        if constexpr (KeepIncident) {
+        if constexpr (Mode == CavityMode::General) {
             t_.incident[vertex_] = Topology::halfEdge(firstNew_, 2);
         }
     }
@@ -366,7 +377,7 @@ private:
         t_.join(Topology::halfEdge(ahead, 1), Topology::halfEdge(behind, 2));
         t_.join(Topology::halfEdge(ahead, 2), after);
         t_.join(Topology::halfEdge(behind, 1), before);
-        if constexpr (KeepIncident) {
+        if constexpr (Mode == CavityMode::General) {
             t_.incident[vertex_] = Topology::halfEdge(firstNew_, 2);
             t_.incident[first] = Topology::halfEdge(lastNew_, 1);
             t_.incident[Topology::kInfinite] = Topology::halfEdge(ahead, 2);

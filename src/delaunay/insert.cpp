@@ -26,7 +26,7 @@ void makeFan(Triangulation& t, std::uint32_t apex)
         return p.x != q.x ? p.x < q.x : p.y < q.y;
     });
     startTriangles(t, line[0], line[1], apex);
-    Cavity<true> cavity(t);
+    Cavity<CavityMode::General> cavity(t);
     for (std::size_t i = 2; i < line.size(); ++i) {
         const Location where = locate(t, t.points[line[i]], t.incident[line[i - 1]]);
         cavity.insert(line[i], where.kind == Location::Kind::Edge, where.edge);
@@ -56,7 +56,7 @@ std::uint32_t insertPointAt(Triangulation& t, Vec2 p, const Location& where)
         return t.origin(where.edge);
     }
     const std::uint32_t vertex = appendVertex(t, p);
-    Cavity<true> cavity(t);
+    Cavity<CavityMode::General> cavity(t);
     cavity.insert(vertex, p, where.kind == Location::Kind::Edge, where.edge);
     return vertex;
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <memory>
 #include <utility>
 
 namespace tessera
@@ -114,7 +115,7 @@ public:
     SpatialSort(std::span<const Vec2> points, std::span<Vec2> sorted)
         : points_(points)
         , sorted_(sorted)
-        , items_(points.size())
+        , items_(std::make_unique_for_overwrite<Item[]>(points.size()))
         , order_(points.size())
     {}
 
@@ -123,17 +124,17 @@ public:
         const std::uint32_t count = rounds();
         const std::uint32_t bits = gridBits(points_.size());
         setKeys(points_, 0, bits);
-        for (std::size_t i = 0; i < items_.size() && count > 1; ++i) {
+        for (std::size_t i = 0; i < points_.size() && count > 1; ++i) {
             const auto zeros = static_cast<std::uint32_t>(std::countr_zero(mix(i + 1)));
             const std::uint32_t round = count - 1 - std::min(zeros / kRatioBits, count - 1);
             items_[i].key |= round << (2 * bits);
         }
-        sortItems(0, items_.size(), 2 * bits + (count > 1 ? kRoundBits : 0));
-        for (std::size_t i = 0; i < items_.size(); ++i) {
+        sortItems(0, points_.size(), 2 * bits + (count > 1 ? kRoundBits : 0));
+        for (std::size_t i = 0; i < points_.size(); ++i) {
             order_[i] = items_[i].place;
             sorted_[i] = points_[items_[i].place];
         }
-        sortCrowdedCells(0, items_.size(), 0);
+        sortCrowdedCells(0, points_.size(), 0);
         return std::move(order_);
     }
 
@@ -182,11 +183,9 @@ private:
             radixSort(begin, end, keyBits);
             return;
         }
-        std::sort(items_.begin() + static_cast<std::ptrdiff_t>(begin),
-                  items_.begin() + static_cast<std::ptrdiff_t>(end),
-                  [](const Item& a, const Item& b) {
-                      return a.key != b.key ? a.key < b.key : a.place < b.place;
-                  });
+        std::sort(items_.get() + begin, items_.get() + end, [](const Item& a, const Item& b) {
+            return a.key != b.key ? a.key < b.key : a.place < b.place;
+        });
     }
 
     /// Stable.
@@ -195,9 +194,11 @@ private:
         const std::uint32_t passes = (keyBits + kRadixBits - 1) / kRadixBits;
         const std::uint32_t mask = (1U << kRadixBits) - 1;
         const std::size_t count = end - begin;
-        scratch_.resize(std::max(scratch_.size(), count));
-        Item* from = items_.data() + begin;
-        Item* to = scratch_.data();
+        if (scratch_ == nullptr) {
+            scratch_ = std::make_unique_for_overwrite<Item[]>(points_.size());
+        }
+        Item* from = items_.get() + begin;
+        Item* to = scratch_.get();
         for (std::uint32_t pass = 0; pass < passes; ++pass) {
             const std::uint32_t shift = pass * kRadixBits;
             std::array<std::uint32_t, mask + 1> starts {};
@@ -256,8 +257,8 @@ private:
 
     std::span<const Vec2> points_;
     std::span<Vec2> sorted_;
-    std::vector<Item> items_;
-    std::vector<Item> scratch_;
+    std::unique_ptr<Item[]> items_;
+    std::unique_ptr<Item[]> scratch_;
     std::vector<std::uint32_t> order_;
     std::vector<Vec2> cellPoints_;
     std::vector<std::uint32_t> cellOrder_;

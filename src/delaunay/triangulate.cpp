@@ -159,7 +159,7 @@ private:
     {
         const std::size_t n = order_.size();
         filter_ = makeStaticFilter(points_);
-        Cavity<false> cavity(t(), filter_.exactSquare);
+        Cavity<CavityMode::Bulk> cavity(t(), filter_.exactSquare);
         std::uint32_t vertex = 4;
         HalfEdge hint = 0;
         for (std::size_t i = 3; i < n; ++i) {

@@ -12,8 +12,8 @@
 // 2^-1074 .. 2^1000. Round to nearest even; no contraction (-ffp-contract=off).
 // Cost: sums are linear, products of n and m components O(n m min(n, m)).
 
-#include <array>
 #include <cstddef>
+#include <utility>
 
 namespace tessera
 {
@@ -73,6 +73,56 @@ constexpr TwoPart twoProduct(double a, double b)
     return twoProduct(a, b, split(b));
 }
 
+/// Expansion sum: out = a + sign * b, merged by magnitude and carried upward; zeros are dropped.
+/// out has room for n + m components and overlaps neither operand. Returns the size of out.
+constexpr std::size_t sumExpansions(const double* a, std::size_t n, const double* b, std::size_t m,
+                                    double sign, double* out)
+{
+    const auto magnitude = [](double x) { return x < 0.0 ? -x : x; };
+    std::size_t i = 0;
+    std::size_t j = 0;
+    const auto smallest = [&] {
+        const bool fromA = j == m || (i < n && magnitude(a[i]) <= magnitude(b[j]));
+        return fromA ? a[i++] : sign * b[j++];
+    };
+    std::size_t size = 0;
+    double carry = 0.0;
+    for (std::size_t k = 0; k < n + m; ++k) {
+        const TwoPart sum = twoSum(carry, smallest());
+        if (sum.tail != 0.0) {
+            out[size++] = sum.tail;
+        }
+        carry = sum.head;
+    }
+    if (carry != 0.0) {
+        out[size++] = carry;
+    }
+    return size;
+}
+
+/// out = a * b; out has room for 2 n components and does not overlap a. Returns the size of out.
+constexpr std::size_t scaleExpansion(const double* a, std::size_t n, double b, double* out)
+{
+    const TwoPart bSplit = split(b);
+    std::size_t size = 0;
+    double carry = 0.0;
+    const auto append = [&](double component) {
+        if (component != 0.0) {
+            out[size++] = component;
+        }
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        const TwoPart product = twoProduct(a[i], b, bSplit);
+        const TwoPart sum = twoSum(carry, product.tail);
+        append(sum.tail);
+        const TwoPart next = fastTwoSum(product.head, sum.head);
+        append(next.tail);
+        carry = next.head;
+    }
+    append(carry);
+    return size;
+}
+
 /// An exact number of at most Capacity components; zero components are dropped.
 template<std::size_t Capacity>
 class Expansion
@@ -126,74 +176,41 @@ public:
             components_[size_++] = component;
         }
     }
+    /// For the operations below: they write the components and say how many there are.
+    constexpr const double* data() const { return components_; }
+    constexpr double* data() { return components_; }
+    constexpr void setSize(std::size_t size) { size_ = size; }
 
 private:
     double components_[Capacity];
     std::size_t size_ = 0;
 };
 
-/// a + b, or a - b with negate; merges by magnitude and carries upward (fast expansion sum).
-template<std::size_t N, std::size_t M>
-constexpr Expansion<N + M> addExpansions(const Expansion<N>& a, const Expansion<M>& b, bool negate)
-{
-    Expansion<N + M> result;
-    const double sign = negate ? -1.0 : 1.0;
-    const auto magnitude = [](double x) { return x < 0.0 ? -x : x; };
-    std::size_t i = 0;
-    std::size_t j = 0;
-    const auto smallest = [&] {
-        const bool fromA = j == b.size()
-            || (i < a.size() && magnitude(a[i]) <= magnitude(b[j]));
-        return fromA ? a[i++] : sign * b[j++];
-    };
-    const std::size_t total = a.size() + b.size();
-    if (total == 0) {
-        return result;
-    }
-    double carry = smallest();
-    for (std::size_t k = 1; k < total; ++k) {
-        const TwoPart sum = twoSum(carry, smallest());
-        result.append(sum.tail);
-        carry = sum.head;
-    }
-    result.append(carry);
-    return result;
-}
-
 template<std::size_t N, std::size_t M>
 constexpr Expansion<N + M> operator+(const Expansion<N>& a, const Expansion<M>& b)
 {
-    return addExpansions(a, b, false);
+    Expansion<N + M> result;
+    result.setSize(sumExpansions(a.data(), a.size(), b.data(), b.size(), 1.0, result.data()));
+    return result;
 }
 
 template<std::size_t N, std::size_t M>
 constexpr Expansion<N + M> operator-(const Expansion<N>& a, const Expansion<M>& b)
 {
-    return addExpansions(a, b, true);
+    Expansion<N + M> result;
+    result.setSize(sumExpansions(a.data(), a.size(), b.data(), b.size(), -1.0, result.data()));
+    return result;
 }
 
-/// a times a double.
 template<std::size_t N>
 constexpr Expansion<2 * N> operator*(const Expansion<N>& a, double b)
 {
     Expansion<2 * N> result;
-    if (a.size() == 0 || b == 0.0) {
-        return result;
-    }
-    const TwoPart bSplit = split(b);
-    TwoPart carry = twoProduct(a[0], b, bSplit);
-    result.append(carry.tail);
-    for (std::size_t i = 1; i < a.size(); ++i) {
-        const TwoPart product = twoProduct(a[i], b, bSplit);
-        const TwoPart sum = twoSum(carry.head, product.tail);
-        result.append(sum.tail);
-        carry = fastTwoSum(product.head, sum.head);
-        result.append(carry.tail);
-    }
-    result.append(carry.head);
+    result.setSize(scaleExpansion(a.data(), a.size(), b, result.data()));
     return result;
 }
 
+/// Sum of the rows a * b[j], from two buffers in turn.
 template<std::size_t N, std::size_t M>
 constexpr Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<M>& b)
 {
@@ -201,15 +218,20 @@ constexpr Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<
         return b * a;
     }
     else {
-        Expansion<2 * N * M> result;
+        Expansion<2 * N * M> sum;
+        Expansion<2 * N * M> previous;
+        Expansion<2 * N> row;
+        double* from = previous.data();
+        double* to = sum.data();
+        std::size_t size = 0;
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const Expansion<2 * N> row = a * b[j];
-            const auto sum = result + row;
-            result = Expansion<2 * N * M> {};
-            for (std::size_t k = 0; k < sum.size(); ++k) {
-                result.append(sum[k]);
-            }
+            row.setSize(scaleExpansion(a.data(), a.size(), b[j], row.data()));
+            size = sumExpansions(from, size, row.data(), row.size(), 1.0, to);
+            std::swap(from, to);
         }
+        // The result is where the last row was added: `from` after the swap.
+        Expansion<2 * N * M>& result = from == sum.data() ? sum : previous;
+        result.setSize(size);
         return result;
     }
 }

@@ -6,10 +6,14 @@
 //   1. If the four differences are exact, compare the two products as exact head + tail pairs.
 //   2. Expansion arithmetic.
 // incircle:
-//   1. If the six differences are exact and multiples, below 2^30, of one power of two (grids,
-//      close neighbors): 128-bit integers.
-//   2. Double-double arithmetic with a bound of 2^-96 of the permanent.
-//   3. Expansion arithmetic (Shewchuk 1997).
+//   1. If the points are the corners of a parallelogram (lattices of any step, rounded rectangles):
+//      the signs of a cross product and a dot product.
+//   2. If the six differences are exact and multiples, below 2^30, of one power of two: 128-bit
+//      integers.
+//   3. Cross products corrected to first order in the rounding errors of their factors, lifts in
+//      double precision: enough for slivers, whose cross products are small against their terms.
+//   4. Double-double arithmetic with a bound of 2^-94 of the permanent.
+//   5. Expansion arithmetic (Shewchuk 1997).
 // Expansions are exact while all exponents stay within the limits below. Otherwise the arguments
 // are scaled by a power of two, which changes no sign; and if even that cannot bring both the
 // greatest and the smallest into the limits, big integers decide. Hence every sign is right for all
@@ -22,6 +26,7 @@
 #include "predicates/expansion.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 
@@ -122,6 +127,30 @@ int incircleSmallIntegers(const double (&x)[3], const double (&y)[3], int power)
     return sum > 0 ? 1 : (sum < 0 ? -1 : 0);
 }
 
+/// a + c == b + d exactly.
+bool sameSum(double a, double c, double b, double d)
+{
+    const TwoPart left = twoSum(a, c);
+    const TwoPart right = twoSum(b, d);
+    return left.head == right.head && left.tail == right.tail;
+}
+
+/// In-circle sign of d if the parallelogram a, b, c, d closes, so that b - d = (a - d) + (c - d) for
+/// the corners in this order, otherwise 2. With u = a - d, v = c - d the determinant
+/// |u|^2 (u + v) x v + |u + v|^2 v x u + |v|^2 u x (u + v) is -2 (u x v) (u . v).
+int incircleParallelogram(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
+{
+    if (!sameSum(a.x, c.x, b.x, d.x) || !sameSum(a.y, c.y, b.y, d.y)) {
+        return 2;
+    }
+    const TwoPart ux = twoDifference(a.x, d.x);
+    const TwoPart uy = twoDifference(a.y, d.y);
+    const TwoPart vx = twoDifference(c.x, d.x);
+    const TwoPart vy = twoDifference(c.y, d.y);
+    const int cross = differenceOfProducts(ux, vy, uy, vx);
+    return cross == 0 ? 0 : -cross * differenceOfProducts(ux, vx, uy, {-vy.head, -vy.tail});
+}
+
 /// A number as the unevaluated sum of two doubles, relative error of each operation below 2^-100.
 struct DoubleDouble
 {
@@ -152,6 +181,32 @@ DoubleDouble operator*(DoubleDouble a, DoubleDouble b)
 }
 
 using Differences = TwoPart[3];
+
+/// In-circle sign from corrected cross products if that suffices, otherwise 2. With u = 2^-53: a
+/// lift has relative error 4u. A cross product l - r, with the exact products of the heads and all
+/// terms of first order in the tails, loses at most 3u of itself and 2^-101 (|l| + |r|); product and
+/// sums add 3u.
+int incircleCorrected(const Differences& x, const Differences& y)
+{
+    double determinant = 0.0;
+    double terms = 0.0;
+    double permanent = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const int k = (i + 2) % 3;
+        const TwoPart left = twoProduct(x[j].head, y[k].head);
+        const TwoPart right = twoProduct(x[k].head, y[j].head);
+        const double correction = (x[j].tail * y[k].head + x[j].head * y[k].tail)
+            - (x[k].tail * y[j].head + x[k].head * y[j].tail);
+        const double cross = (left.head - right.head) + ((left.tail - right.tail) + correction);
+        const double lift = x[i].head * x[i].head + y[i].head * y[i].head;
+        determinant += lift * cross;
+        terms += lift * std::fabs(cross);
+        permanent += lift * (std::fabs(left.head) + std::fabs(right.head));
+    }
+    const double bound = 12.0 * kUnit * terms + 0x1p-100 * permanent;
+    return determinant > bound ? 1 : (-determinant > bound ? -1 : 2);
+}
 
 /// In-circle sign by double-double arithmetic if that suffices, otherwise 2. Each product has
 /// relative error below 2^-100 and each term is a product of four factors; the sums of at most
@@ -188,34 +243,48 @@ int incircleExpansions(const Differences& x, const Differences& y)
     return (term(0) + term(1) + term(2)).sign();
 }
 
-/// For exponents within kDegree4.
-int incircleInLimits(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
+/// The power of two that makes all six integers below 2^30, or 4096 if there is none.
+int smallIntegerPower(const double (&x)[3], const double (&y)[3])
 {
-    const Differences x = {twoDifference(a.x, d.x), twoDifference(b.x, d.x),
-                           twoDifference(c.x, d.x)};
-    const Differences y = {twoDifference(a.y, d.y), twoDifference(b.y, d.y),
-                           twoDifference(c.y, d.y)};
-    bool exactHeads = true;
     int lowest = 4096;
     double greatest = 0.0;
     for (int i = 0; i < 3; ++i) {
-        for (const TwoPart& difference : {x[i], y[i]}) {
-            exactHeads = exactHeads && difference.tail == 0.0;
-            if (difference.head != 0.0) {
-                lowest = std::min(lowest, lowestBit(difference.head));
-                greatest = std::max(greatest, std::fabs(difference.head));
-            }
+        for (const double value : {x[i], y[i]}) {
+            lowest = value != 0.0 ? std::min(lowest, lowestBit(value)) : lowest;
+            greatest = std::max(greatest, std::fabs(value));
         }
     }
-    if (greatest == 0.0) {
-        return 0;
+    return greatest != 0.0 && exponentOf(greatest) - lowest < 30 ? -lowest : 4096;
+}
+
+/// For exponents within kDegree4.
+int incircleInLimits(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
+{
+    // Turning a, b, c leaves the sign: each of them may be the corner opposite d.
+    for (const auto& [p, q, r] : {std::array {a, b, c}, std::array {b, c, a}, std::array {c, a, b}}) {
+        const int sign = incircleParallelogram(p, q, r, d);
+        if (sign != 2) {
+            return sign;
+        }
     }
-    if (exactHeads && greatest < std::ldexp(1.0, lowest + 30)) {
-        return incircleSmallIntegers({x[0].head, x[1].head, x[2].head},
-                                     {y[0].head, y[1].head, y[2].head}, -lowest);
+    const Differences dx = {twoDifference(a.x, d.x), twoDifference(b.x, d.x),
+                            twoDifference(c.x, d.x)};
+    const Differences dy = {twoDifference(a.y, d.y), twoDifference(b.y, d.y),
+                            twoDifference(c.y, d.y)};
+    if (dx[0].tail == 0.0 && dx[1].tail == 0.0 && dx[2].tail == 0.0 && dy[0].tail == 0.0
+        && dy[1].tail == 0.0 && dy[2].tail == 0.0) {
+        const double x[3] = {dx[0].head, dx[1].head, dx[2].head};
+        const double y[3] = {dy[0].head, dy[1].head, dy[2].head};
+        const int power = smallIntegerPower(x, y);
+        if (power != 4096) {
+            return incircleSmallIntegers(x, y, power);
+        }
     }
-    const int sign = incircleDoubleDouble(x, y);
-    return sign != 2 ? sign : incircleExpansions(x, y);
+    int sign = incircleCorrected(dx, dy);
+    if (sign == 2) {
+        sign = incircleDoubleDouble(dx, dy);
+    }
+    return sign != 2 ? sign : incircleExpansions(dx, dy);
 }
 
 /// Sign of (a - b) (c - d) - (e - f) (g - h) for any finite doubles.

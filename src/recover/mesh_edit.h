@@ -117,7 +117,7 @@ private:
     void restore();
 
     Triangulation& mesh_;
-    Cavity<true> cavity_;
+    Cavity<CavityMode::General> cavity_;
     bool postponed_ = false;
     std::vector<HalfEdge> suspects_;
     std::vector<std::uint32_t> freeVertices_;
