@@ -127,6 +127,25 @@ TEST(Triangulate, SameBytesEveryTime)
     EXPECT_EQ(a.vertexOfPoint, b.vertexOfPoint);
 }
 
+TEST(Triangulate, ScalingByAPowerOfTwoChangesNothingElse)
+{
+    const std::vector<Vec2> points = test::clusterPoints(3000, 9, 8);
+    const DelaunayResult a = build(points);
+    for (const double scale : {0x1p300, 0x1p-300, 0x1p30, 0x1p-30, 0x1p480}) {
+        SCOPED_TRACE(scale);
+        const DelaunayResult b = build(test::transformed(points, scale, {}));
+        EXPECT_EQ(a.vertexOfPoint, b.vertexOfPoint);
+        for (std::size_t i = 0; i < a.triangulation.triangles.size(); ++i) {
+            for (int k = 0; k < 3; ++k) {
+                ASSERT_EQ(a.triangulation.triangles[i].v[k], b.triangulation.triangles[i].v[k]);
+            }
+        }
+        for (std::size_t v = 1; v < a.triangulation.points.size(); ++v) {
+            ASSERT_EQ(scale * a.triangulation.points[v], b.triangulation.points[v]);
+        }
+    }
+}
+
 TEST(Triangulate, RefusesWhatIsOutOfRangeWithItsIndex)
 {
     const double inf = std::numeric_limits<double>::infinity();
