@@ -25,10 +25,11 @@
 // The in-circle filter. With vectors a, b, c relative to p, rounded once (u = 2^-53): a lift
 // |a|^2 has relative error 4u, a cross product error 4u |b||c| (since |bx cy| + |by cx| <= |b||c|),
 // a term lift * cross 9u, the two final sums 2u: in all at most 11u |a||b||c| (|a| + |b| + |c|)
-// <= 11/3 u S^2, with S = |a|^2 + |b|^2 + |c|^2. The bound 4u S^2 leaves room for the terms of order
-// u^2 and for its own rounding; kUnderflow covers underflow as in predicates.h. If all coordinates
-// are multiples of a unit g and S^2 < 2^50 g^4, every intermediate value is an integer multiple of
-// g^4 (or g^2, g) below 2^53 of them: nothing was rounded, and the sign of the double is exact.
+// <= 11/3 u S^2, with S = |a|^2 + |b|^2 + |c|^2. The bound 4u S^2 leaves room for the terms of
+// order u^2 and for its own rounding; kUnderflow covers underflow as in predicates.h. If all
+// coordinates are multiples of a unit g and S^2 < 2^50 g^4, every intermediate value is an integer
+// multiple of g^4 (or g^2, g) below 2^53 of them: nothing was rounded, and the sign of the double
+// is exact.
 //
 // Cost: constant per triangle of the region, six on average for points in general position.
 

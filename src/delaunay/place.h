@@ -6,7 +6,7 @@
 namespace tessera
 {
 
-/// Where a point is in a closed triangle, from its orientation to each side, all >= 0 and not all 0.
+/// Where a point is in a closed triangle, from its orientation to each side: all >= 0, not all 0.
 inline Location placeInTriangle(std::uint32_t triangle, const int (&sign)[3])
 {
     int zeros = 0;

@@ -21,7 +21,8 @@ InitialRectangle makeInitialRectangle(const Box2& box)
                                        std::fabs(domain.max.x), std::fabs(domain.max.y)});
     // A box that is a point, or so small that the margin would be lost in rounding, still needs
     // corners strictly outside.
-    double margin = std::max(0.5 * larger, 4.0 * std::numeric_limits<double>::epsilon() * magnitude);
+    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+    double margin = std::max(0.5 * larger, 4.0 * kEpsilon * magnitude);
     if (margin == 0.0) {
         margin = 1.0;
     }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 
 // Rounds: a point is in the last round with probability 15/16, in the one before with 15/256, ...,
-// as long as a round has more than kSmallRound points. The choice hashes the point's index, so it is
-// independent of the positions.
+// as long as a round has more than kSmallRound points. The choice hashes the point's index, so it
+// is independent of the positions.
 //
-// Within a round: Hilbert index on a grid over the bounding box, from a table of 4 bits per axis and
-// step. Round and index make one 32-bit key, sorted by radix. The points are then copied in order.
-// Those that share a cell are sorted again by the same method over their own bounding box; so
-// clusters of any scale come out in order. Each level of this recursion divides the box at least by
-// 16; at kMaxDepth, or when all points of a cell are equal, the order of the indices stays.
+// Within a round: Hilbert index on a grid over the bounding box, from a table of 4 bits per axis
+// and step. Round and index make one 32-bit key, sorted by radix. The points are then copied in
+// order. Those that share a cell are sorted again by the same method over their own bounding box;
+// so clusters of any scale come out in order. Each level of this recursion divides the box at least
+// by 16; at kMaxDepth, or when all points of a cell are equal, the order of the indices stays.
 
 #include "delaunay/spatial_sort.h"
 

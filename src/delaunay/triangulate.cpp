@@ -6,8 +6,8 @@
 // The points are copied in insertion order, which numbers the vertices, so that neighbors in the
 // plane are neighbors in memory; each point is located by a walk from the triangle made last. A
 // visibility walk cannot cycle in a Delaunay triangulation, whichever edge it takes. The vertices'
-// incident half-edges are filled in at the end. Very great or small coordinates are scaled by a power
-// of two meanwhile, so that the filters still decide; that is exact and undone at the end.
+// incident half-edges are filled in at the end. Very great or small coordinates are scaled by a
+// power of two meanwhile, so that the filters still decide; that is exact and undone at the end.
 //
 // Guarantees: exact, hence total: any finite points in range, duplicates, collinear and cocircular
 // sets included; deterministic; ties among cocircular points are broken by the insertion order.

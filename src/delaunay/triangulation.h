@@ -17,7 +17,7 @@ namespace tessera
 struct Triangulation: Topology
 {
     std::vector<Vec2> points;              ///< by vertex; [kInfinite] is unused
-    std::vector<std::uint32_t> incident;   ///< by vertex: a half-edge that starts there, kDead if none
+    std::vector<std::uint32_t> incident;   ///< by vertex: a half-edge out of it, kDead if none
     std::vector<std::uint32_t> freeList;   ///< dead triangle slots
 
     std::size_t vertexCount() const { return points.empty() ? 0 : points.size() - 1; }

@@ -125,7 +125,7 @@ private:
     {
         for (std::size_t v = 3; v < t_.points.size(); ++v) {
             if (orient2d(t_.points[1], t_.points[2], t_.points[v]) != 0) {
-                problem("Vertex ", v, " is off the line of the others, but there are no triangles.");
+                problem("Vertex ", v, " is off the others' line, but there are no triangles.");
             }
         }
         for (std::size_t v = 0; v < t_.incident.size(); ++v) {

@@ -26,7 +26,6 @@
 #include "predicates/expansion.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <initializer_list>
 
@@ -135,9 +134,10 @@ bool sameSum(double a, double c, double b, double d)
     return left.head == right.head && left.tail == right.tail;
 }
 
-/// In-circle sign of d if the parallelogram a, b, c, d closes, so that b - d = (a - d) + (c - d) for
-/// the corners in this order, otherwise 2. With u = a - d, v = c - d the determinant
-/// |u|^2 (u + v) x v + |u + v|^2 v x u + |v|^2 u x (u + v) is -2 (u x v) (u . v).
+/// In-circle sign of d if a, b, c, d are a parallelogram in this order, otherwise 2. With
+/// u = a - d, v = c - d and b - d = u + v the determinant
+///     |u|^2 (u + v) x v + |u + v|^2 v x u + |v|^2 u x (u + v)
+/// is -2 (u x v) (u . v).
 int incircleParallelogram(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
 {
     if (!sameSum(a.x, c.x, b.x, d.x) || !sameSum(a.y, c.y, b.y, d.y)) {
@@ -184,8 +184,8 @@ using Differences = TwoPart[3];
 
 /// In-circle sign from corrected cross products if that suffices, otherwise 2. With u = 2^-53: a
 /// lift has relative error 4u. A cross product l - r, with the exact products of the heads and all
-/// terms of first order in the tails, loses at most 3u of itself and 2^-101 (|l| + |r|); product and
-/// sums add 3u.
+/// terms of first order in the tails, loses at most 3u of itself and 2^-101 (|l| + |r|); product
+/// and sums add 3u.
 int incircleCorrected(const Differences& x, const Differences& y)
 {
     double determinant = 0.0;
@@ -261,8 +261,9 @@ int smallIntegerPower(const double (&x)[3], const double (&y)[3])
 int incircleInLimits(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
 {
     // Turning a, b, c leaves the sign: each of them may be the corner opposite d.
-    for (const auto& [p, q, r] : {std::array {a, b, c}, std::array {b, c, a}, std::array {c, a, b}}) {
-        const int sign = incircleParallelogram(p, q, r, d);
+    const Vec2 corners[5] = {a, b, c, a, b};
+    for (int i = 0; i < 3; ++i) {
+        const int sign = incircleParallelogram(corners[i], corners[i + 1], corners[i + 2], d);
         if (sign != 2) {
             return sign;
         }

@@ -29,7 +29,7 @@ void checkRange(std::span<const Vec2> points)
     std::size_t smallestAt = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!isFinite(points[i])) {
-            refuse(points, i, "has a coordinate that is not a finite number; correct or remove it.");
+            refuse(points, i, "has a coordinate that is not a finite number; correct it.");
         }
         for (const double value : {std::fabs(points[i].x), std::fabs(points[i].y)}) {
             if (value > kMaxMagnitude) {

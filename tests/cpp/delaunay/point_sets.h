@@ -103,7 +103,8 @@ inline std::vector<PointSet> hardPointSets(std::size_t n)
     add("two circles and their center", points);
 
     points = uniformPoints(n / 2, 4);
-    points.insert(points.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n / 2));
+    const std::vector<Vec2> once = points;
+    points.insert(points.end(), once.begin(), once.end());
     add("each point twice", points);
 
     points.clear();
@@ -132,7 +133,8 @@ inline std::vector<PointSet> hardPointSets(std::size_t n)
     points.clear();
     for (std::size_t i = 0; i < n; ++i) {
         const double s = 1e-30 * std::pow(1.07, static_cast<double>(i % 800));
-        points.push_back({s * std::cos(static_cast<double>(i)), s * std::sin(static_cast<double>(i))});
+        const double angle = static_cast<double>(i);
+        points.push_back({s * std::cos(angle), s * std::sin(angle)});
     }
     add("spiral over many powers of ten", points);
     return sets;

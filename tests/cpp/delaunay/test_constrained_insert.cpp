@@ -90,7 +90,8 @@ TEST(ConstrainedInsert, KeepsConstraintsAndTheDelaunayProperty)
         SCOPED_TRACE(round);
         Execution execution;
         Triangulation t
-            = triangulate(round % 2 == 0 ? test::uniformPoints(25, random()) : test::gridPoints(5, 0.25),
+            = triangulate(round % 2 == 0 ? test::uniformPoints(25, random())
+                                         : test::gridPoints(5, 0.25),
                           execution)
                   .triangulation;
         constrainSome(t, random, 6);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// CGAL's exact Delaunay triangulation as an independent oracle: inside the convex hull the triangles
-// are the same up to cocircular ties, so the rectangle leaves no trace.
+// CGAL's exact Delaunay triangulation as an independent oracle: inside the convex hull the
+// triangles are the same up to cocircular ties, so the rectangle leaves no trace.
 
 #include "delaunay/delaunay.h"
 
@@ -81,7 +81,8 @@ bool isUnique(const CgalDelaunay& t, const CgalDelaunay::Face_handle& face)
     return true;
 }
 
-/// CGAL's predicates are exact without overflow and underflow only; scaling by 2^+-300 is not theirs.
+/// CGAL's predicates are exact without overflow and underflow only; scaling by 2^+-300 is not
+/// theirs.
 bool fitsCgal(const std::vector<Vec2>& points)
 {
     return std::all_of(points.begin(), points.end(), [](Vec2 p) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-// A million cases per predicate against exact integers. Doubles are scaled to integers by a power of
-// two, which changes no sign; boost's cpp_int (tests only) does the rest. Fixed-width integers keep
-// it quick: the generators say how many bits they need.
+// A million cases per predicate against exact integers. Doubles are scaled to integers by a power
+// of two, which changes no sign; boost's cpp_int (tests only) does the rest. Fixed-width integers
+// keep it quick: the generators say how many bits they need.
 
 #include "predicates/predicates.h"
 
