@@ -31,6 +31,9 @@ bool isCorner(const Curve& curve, double t)
     return std::abs(std::atan2(cross(before, after), dot(before, after))) > kCorner;
 }
 
+/// A piece of less than this share of the integral of ds/h is never cut in two: see pieceCount().
+constexpr double kWhole = 1.3;
+
 /// A curve and the direction in which it is sampled: views on a base curve are taken off, so that
 /// all curves with the same geometry are cut at the same points.
 struct Oriented
@@ -157,6 +160,12 @@ private:
             for (std::size_t k = 1; k < n; ++k) {
                 parameters.push_back(static_cast<double>(k) / static_cast<double>(n));
             }
+            return parameters;
+        }
+        // Most short pieces need no integral: nowhere on them the size is so small as to cut them.
+        const double least =
+            checkedSize(size_, line.point(0.5)) - 0.5 * length * size_.gradientBound();
+        if (length <= kWhole * least) {
             return parameters;
         }
         const double ends[2] = {0.0, 1.0};

@@ -18,160 +18,245 @@ namespace tessera
 namespace
 {
 
-constexpr std::size_t kShortList = 5;
+constexpr std::size_t kShortList = 8;
 /// Cells of this depth are far smaller than any size that doubles can tell apart in the box.
 constexpr int kMaxDepth = 45;
 /// slope_ / growth_, and the interpolation error allowed, as a part of growth and size: two points
 /// d apart then differ by at most growth (0.97 d + 0.02 h) <= growth d once d >= 2/3 h.
 constexpr double kSlopeShare = 0.97;
 constexpr double kErrorShare = 0.01;
+/// Change of the sizes over a cell, as a part of them: above the first, five tests cannot vouch for
+/// a surface; below the second, a source that wins at no test can hardly win between them.
+constexpr double kCoarseCell = 0.5;
+constexpr double kSmallCell = 0.06;
+
+double bilinear(const double* at, double x, double y)
+{
+    return (1.0 - y) * ((1.0 - x) * at[0] + x * at[1]) + y * ((1.0 - x) * at[2] + x * at[3]);
+}
 
 } // namespace
-
-double distanceTo(const SizeSource& source, Vec2 p)
-{
-    const Vec2 along = source.b - source.a;
-    const Vec2 offset = p - source.a;
-    const double square = squaredLength(along);
-    const double s = square > 0.0 ? std::clamp(dot(offset, along) / square, 0.0, 1.0) : 0.0;
-    return std::sqrt(squaredLength(offset - s * along));
-}
 
 class GradedSizeBuilder
 {
 public:
-    GradedSizeBuilder(GradedSize& field, std::span<const SizeSource> sources,
-                      const Execution& execution)
+    GradedSizeBuilder(GradedSize& field, const Execution& execution)
         : field_(field)
-        , sources_(sources)
+        , sources_(field.sources_)
         , execution_(execution)
     {}
 
     void run()
     {
-        std::vector<std::uint32_t> all;
         for (std::uint32_t i = 0; i < sources_.size(); ++i) {
             if (sources_[i].size < field_.maxSize_) {
-                all.push_back(i);
+                candidates_.push_back(i);
             }
         }
         field_.cells_.resize(1);
-        build(0, field_.origin_, field_.side_, all, 0);
+        const Square whole {field_.origin_, field_.side_};
+        const Range all {0, candidates_.size()};
+        Corners corners {};
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            corners[i] = exact(whole.at(i % 2, i / 2), all);
+        }
+        build(0, whole, all, corners, 0);
     }
 
 private:
-    double exact(Vec2 p, const std::vector<std::uint32_t>& candidates) const
+    static constexpr std::uint32_t kNone = 0xffffffffU;
+
+    /// A value of the field and the source that makes it; none if a bound does.
+    struct Winner
     {
-        double least = field_.maxSize_;
-        for (const std::uint32_t i : candidates) {
-            const SizeSource& source = sources_[i];
-            least = std::min(least, source.size + field_.slope_ * distanceTo(source, p));
+        double value;
+        std::uint32_t source;
+    };
+    /// Of a cell: lower left, lower right, upper left, upper right.
+    using Corners = std::array<Winner, 4>;
+
+    struct Square
+    {
+        Vec2 corner;
+        double side;
+
+        Vec2 at(double x, double y) const { return {corner.x + x * side, corner.y + y * side}; }
+    };
+
+    /// Of candidates_.
+    struct Range
+    {
+        std::size_t begin;
+        std::size_t end;
+
+        std::size_t size() const { return end - begin; }
+    };
+
+    Winner exact(Vec2 p, Range candidates) const
+    {
+        Winner least {field_.maxSize_, kNone};
+        for (std::size_t k = candidates.begin; k < candidates.end; ++k) {
+            const GradedSize::Segment& source = sources_[candidates_[k]];
+            const double value = source.size + field_.slope_ * source.distanceTo(p);
+            least = value < least.value ? Winner {value, candidates_[k]} : least;
         }
-        return field_.clamped(least);
+        least.value = field_.clamped(least.value);
+        return least;
     }
 
-    /// The sources that can be the least in the cell, and below the largest size.
-    std::vector<std::uint32_t> filter(Vec2 corner, double side,
-                                      const std::vector<std::uint32_t>& candidates)
+    /// Appends the sources that can be the least in the cell, and below the largest size. Fills in
+    /// the field's value in the middle.
+    Range filter(const Square& square, Range from, Winner& middle)
     {
-        const Vec2 center {corner.x + 0.5 * side, corner.y + 0.5 * side};
-        const double reach = field_.slope_ * side * 0.70710678118654757;
-        atCenter_.resize(candidates.size());
-        double least = field_.maxSize_;
-        for (std::size_t k = 0; k < candidates.size(); ++k) {
-            const SizeSource& source = sources_[candidates[k]];
-            atCenter_[k] = source.size + field_.slope_ * distanceTo(source, center);
-            least = std::min(least, atCenter_[k] + reach);
+        const Vec2 center = square.at(0.5, 0.5);
+        const double reach = field_.slope_ * square.side * 0.70710678118654757;
+        atCenter_.resize(from.size());
+        middle = {field_.maxSize_, kNone};
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            const std::uint32_t i = candidates_[from.begin + k];
+            atCenter_[k] = sources_[i].size + field_.slope_ * sources_[i].distanceTo(center);
+            middle = atCenter_[k] < middle.value ? Winner {atCenter_[k], i} : middle;
         }
-        std::vector<std::uint32_t> result;
-        for (std::size_t k = 0; k < candidates.size(); ++k) {
-            if (atCenter_[k] - reach < least) {
-                result.push_back(candidates[k]);
+        const double limit = std::min(field_.maxSize_, middle.value + reach);
+        middle.value = field_.clamped(middle.value);
+        const std::size_t begin = candidates_.size();
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            if (atCenter_[k] - reach < limit) {
+                candidates_.push_back(candidates_[from.begin + k]);
             }
         }
-        return result;
+        return {begin, candidates_.size()};
     }
 
-    void build(std::uint32_t cell, Vec2 corner, double side,
-               const std::vector<std::uint32_t>& fromParent, int depth)
+    void build(std::uint32_t cell, const Square& square, Range fromParent, const Corners& corners,
+               int depth)
     {
         if ((++visited_ & 0xffU) == 0) {
             execution_.checkpoint();
         }
-        const std::vector<std::uint32_t> candidates = filter(corner, side, fromParent);
-        if (candidates.empty()) {
-            field_.cells_[cell] = {pushValue(field_.maxSize_), GradedSize::Kind::Constant, 0};
+        Winner middle {};
+        const Range candidates = filter(square, fromParent, middle);
+        if (candidates.size() == 0) {
+            storeConstant(cell, field_.maxSize_);
         }
         else if (candidates.size() <= kShortList) {
-            storeList(cell, candidates);
+            storeList(cell, {candidates_.data() + candidates.begin, candidates.size()});
         }
         else if (depth == kMaxDepth) {
-            const double value = exact(corner, candidates);
-            field_.cells_[cell] = {pushValue(value), GradedSize::Kind::Constant, 0};
+            storeConstant(cell, middle.value);
         }
-        else if (!storeBilinear(cell, corner, side, candidates)) {
-            const auto first = static_cast<std::uint32_t>(field_.cells_.size());
-            field_.cells_.resize(first + 4);
-            field_.cells_[cell] = {first, GradedSize::Kind::Split, 0};
-            const double half = 0.5 * side;
-            for (std::uint32_t child = 0; child < 4; ++child) {
-                const Vec2 at {corner.x + ((child & 1U) != 0 ? half : 0.0),
-                               corner.y + ((child & 2U) != 0 ? half : 0.0)};
-                build(first + child, at, half, candidates, depth + 1);
-            }
+        else {
+            buildTested(cell, square, candidates, corners, middle, depth);
         }
+        candidates_.resize(candidates.begin);
     }
 
-    std::uint32_t pushValue(double value)
+    /// Exact values in the middle of the cell and of its sides: good enough if the bilinear surface
+    /// through the corners meets them, or, in a small cell, if few sources make them. Else split.
+    void buildTested(std::uint32_t cell, const Square& square, Range candidates,
+                     const Corners& corners, const Winner& middle, int depth)
     {
-        field_.values_.push_back(value);
-        return static_cast<std::uint32_t>(field_.values_.size() - 1);
+        const std::array<Winner, 4> sides {
+            exact(square.at(0.5, 0.0), candidates), exact(square.at(0.0, 0.5), candidates),
+            exact(square.at(1.0, 0.5), candidates), exact(square.at(0.5, 1.0), candidates)};
+        if (storeBilinear(cell, square.side, corners, sides, middle)
+            || storeWinners(cell, square.side, corners, sides, middle)) {
+            return;
+        }
+        const auto first = static_cast<std::uint32_t>(field_.cells_.size());
+        field_.cells_.resize(first + 4);
+        field_.cells_[cell] = {first, GradedSize::Kind::Split, 0};
+        const Corners inner[4] = {{corners[0], sides[0], sides[1], middle},
+                                  {sides[0], corners[1], middle, sides[2]},
+                                  {sides[1], middle, corners[2], sides[3]},
+                                  {middle, sides[2], sides[3], corners[3]}};
+        for (std::uint32_t child = 0; child < 4; ++child) {
+            const Square quarter {square.at(0.5 * (child % 2), 0.5 * (child / 2)),
+                                  0.5 * square.side};
+            build(first + child, quarter, candidates, inner[child], depth + 1);
+        }
     }
 
-    void storeList(std::uint32_t cell, const std::vector<std::uint32_t>& candidates)
+    void storeConstant(std::uint32_t cell, double value)
+    {
+        field_.cells_[cell] = {static_cast<std::uint32_t>(field_.values_.size()),
+                               GradedSize::Kind::Constant, 0};
+        field_.values_.push_back(value);
+    }
+
+    void storeList(std::uint32_t cell, std::span<const std::uint32_t> list)
     {
         field_.cells_[cell] = {static_cast<std::uint32_t>(field_.nearSources_.size()),
-                               GradedSize::Kind::List,
-                               static_cast<std::uint16_t>(candidates.size())};
-        for (const std::uint32_t i : candidates) {
-            field_.nearSources_.push_back(sources_[i]);
-        }
+                               GradedSize::Kind::List, static_cast<std::uint16_t>(list.size())};
+        field_.nearSources_.insert(field_.nearSources_.end(), list.begin(), list.end());
     }
 
-    bool storeBilinear(std::uint32_t cell, Vec2 corner, double side,
-                       const std::vector<std::uint32_t>& candidates)
+    static double leastOf(const Corners& corners, const Winner& middle)
     {
-        std::array<double, 4> at {};
-        for (std::uint32_t i = 0; i < 4; ++i) {
-            at[i] = exact({corner.x + ((i & 1U) != 0 ? side : 0.0),
-                           corner.y + ((i & 2U) != 0 ? side : 0.0)},
-                          candidates);
+        double least = middle.value;
+        for (const Winner& corner : corners) {
+            least = std::min(least, corner.value);
         }
-        const double least = *std::min_element(at.begin(), at.end());
-        if (field_.slope_ * side > 0.5 * least) {
-            return false; // too coarse for test points to vouch for it
+        return least;
+    }
+
+    bool storeBilinear(std::uint32_t cell, double side, const Corners& corners,
+                       const std::array<Winner, 4>& sides, const Winner& middle)
+    {
+        const double least = leastOf(corners, middle);
+        if (field_.slope_ * side > kCoarseCell * least) {
+            return false;
         }
+        const double at[4] = {corners[0].value, corners[1].value, corners[2].value,
+                              corners[3].value};
         const double allowed = kErrorShare * field_.growth_ * least;
-        constexpr double kTests[][2] = {{0.5, 0.5},   {0.5, 0.0},   {0.5, 1.0},   {0.0, 0.5},
-                                        {1.0, 0.5},   {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75},
-                                        {0.75, 0.75}};
-        for (const auto& [x, y] : kTests) {
-            const double between = (1 - y) * ((1 - x) * at[0] + x * at[1])
-                + y * ((1 - x) * at[2] + x * at[3]);
-            const double here = exact({corner.x + x * side, corner.y + y * side}, candidates);
-            if (std::abs(between - here) > allowed) {
+        constexpr double kX[] = {0.5, 0.0, 1.0, 0.5};
+        constexpr double kY[] = {0.0, 0.5, 0.5, 1.0};
+        if (std::abs(bilinear(at, 0.5, 0.5) - middle.value) > allowed) {
+            return false;
+        }
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            if (std::abs(bilinear(at, kX[i], kY[i]) - sides[i].value) > allowed) {
                 return false;
             }
         }
-        const auto index = static_cast<std::uint32_t>(field_.values_.size());
-        field_.values_.insert(field_.values_.end(), at.begin(), at.end());
-        field_.cells_[cell] = {index, GradedSize::Kind::Bilinear, 0};
+        field_.cells_[cell] = {static_cast<std::uint32_t>(field_.values_.size()),
+                               GradedSize::Kind::Bilinear, 0};
+        field_.values_.insert(field_.values_.end(), at, at + 4);
         return true;
     }
 
+    bool storeWinners(std::uint32_t cell, double side, const Corners& corners,
+                      const std::array<Winner, 4>& sides, const Winner& middle)
+    {
+        if (field_.slope_ * side > kSmallCell * leastOf(corners, middle)) {
+            return false;
+        }
+        std::array<std::uint32_t, kShortList> list {};
+        std::size_t count = 0;
+        const auto add = [&list, &count](const Winner& winner) {
+            const auto end = list.begin() + static_cast<std::ptrdiff_t>(count);
+            if (winner.source == kNone || std::find(list.begin(), end, winner.source) != end) {
+                return true;
+            }
+            if (count == kShortList) {
+                return false;
+            }
+            list[count++] = winner.source;
+            return true;
+        };
+        const bool few = std::all_of(corners.begin(), corners.end(), add)
+            && std::all_of(sides.begin(), sides.end(), add) && add(middle);
+        if (few) {
+            storeList(cell, {list.data(), count});
+        }
+        return few;
+    }
+
     GradedSize& field_;
-    std::span<const SizeSource> sources_;
+    std::span<const GradedSize::Segment> sources_;
     const Execution& execution_;
+    std::vector<std::uint32_t> candidates_; ///< of the cells from the root down to the one in hand
     std::vector<double> atCenter_;
     std::uint64_t visited_ = 0;
 };
@@ -186,7 +271,12 @@ GradedSize::GradedSize(const Box2& box, std::span<const SizeSource> sources,
     , minSize_(options.minSize)
     , maxSize_(options.maxSize)
 {
-    GradedSizeBuilder(*this, sources, execution).run();
+    for (const SizeSource& source : withoutDominated(sources, slope_)) {
+        const Vec2 along = source.b - source.a;
+        const double square = squaredLength(along);
+        sources_.push_back({source.a, along, square > 1e-300 ? 1.0 / square : 0.0, source.size});
+    }
+    GradedSizeBuilder(*this, execution).run();
 }
 
 double GradedSize::clamped(double h) const
@@ -213,13 +303,12 @@ double GradedSize::size(Vec2 p) const
         return clamped(values_[cell->index]);
     }
     if (cell->kind == Kind::Bilinear) {
-        const double* at = &values_[cell->index];
-        return (1 - y) * ((1 - x) * at[0] + x * at[1]) + y * ((1 - x) * at[2] + x * at[3]);
+        return bilinear(&values_[cell->index], x, y);
     }
     double least = maxSize_;
     for (std::uint32_t i = 0; i < cell->count; ++i) {
-        const SizeSource& source = nearSources_[cell->index + i];
-        least = std::min(least, source.size + slope_ * distanceTo(source, inside));
+        const Segment& source = sources_[nearSources_[cell->index + i]];
+        least = std::min(least, source.size + slope_ * source.distanceTo(inside));
     }
     return clamped(least);
 }

@@ -17,6 +17,10 @@ namespace tessera
 namespace
 {
 
+/// A curve shorter than the size is one piece as long as the size on it is this much of its length
+/// or less: see pieceCount(). Its own length need not be asked for then.
+constexpr double kStillWhole = 1.25;
+
 void require(bool good, const char* message)
 {
     if (!good) {
@@ -54,7 +58,8 @@ std::unique_ptr<SizeField> makeSizeField(const CurveNetwork& network,
     requireValid(options);
     const CurveSourceOptions sourceOptions {options.piecesPerTurn, options.chordError,
                                             options.minSize};
-    const std::vector<SizeSource> sources = curveSources(network, *base, sourceOptions);
+    const std::vector<SizeSource> sources =
+        withoutDominated(curveSources(network, *base, sourceOptions), options.growth, kStillWhole);
     const double uniform = base->uniformSize();
     if (sources.empty() && uniform > 0.0) {
         return std::make_unique<UniformSize>(uniform);
