@@ -25,7 +25,8 @@ struct Event
     bool isSource;
     bool operator>(const Event& other) const
     {
-        return std::tie(value, index, isSource) > std::tie(other.value, other.index, other.isSource);
+        return std::tie(value, index, isSource)
+            > std::tie(other.value, other.index, other.isSource);
     }
 };
 
