@@ -42,11 +42,13 @@ public:
             }
             lookAt(arcs_[i], arcs_[j]);
         });
-        result_.points = std::move(pairs_.crossings);
+        crossings_ = std::move(pairs_.crossings);
+        sortByPlace(crossings_);
         mergeStretches();
+        result_.points.insert(result_.points.end(), crossings_.begin(), crossings_.end());
         result_.unresolved = pairs_.unresolved;
         std::erase_if(result_.points, [this](const Contact& c) { return startsAtSharedEnd(c); });
-        sortPoints();
+        sortByPlace(result_.points);
         return std::move(result_);
     }
 
@@ -132,10 +134,31 @@ private:
                 result_.overlaps.push_back(stretch);
             }
             else {
-                result_.points.push_back(touchIn(stretch));
+                addTouch(placeOf(stretch));
             }
         }
         open.clear();
+    }
+
+    /// Beside a crossing that is almost tangent, the curves are near each other for a while: that is
+    /// no touch. Where they are tangent up to rounding, those crossings are no crossings.
+    void addTouch(const Contact& touch)
+    {
+        const auto before = [](const Contact& p, const Contact& q) {
+            return std::tie(p.curveA, p.curveB) < std::tie(q.curveA, q.curveB);
+        };
+        const auto [first, last] = std::equal_range(crossings_.begin(), crossings_.end(), touch,
+                                                    before);
+        const auto leadsThere = [&](const Contact& c) { return leadsTo(touch, c); };
+        const double gap = distance(curves_[touch.curveA].point(touch.s),
+                                    curves_[touch.curveB].point(touch.t));
+        if (gap <= near_) {
+            crossings_.erase(std::remove_if(first, last, leadsThere), last);
+        }
+        else if (std::any_of(first, last, leadsThere)) {
+            return;
+        }
+        result_.points.push_back(touch);
     }
 
     bool isOverlap(const Stretch& s) const
@@ -155,42 +178,86 @@ private:
                            [t, reach](double end) { return std::abs(end - t) <= reach; });
     }
 
-    /// Where the tangents are parallel and the gap lies across them, found by Newton's method from
-    /// the middle of the stretch; the middle itself if that leads out of it.
-    Contact touchIn(const Stretch& stretch) const
+    /// The one place that stands for a stretch: where both run parallel with the gap across them,
+    /// or else where they cross, if the stretch leads there; or else its middle. A touch may have
+    /// been found in several parts, all of which lead to one place in this way.
+    Contact placeOf(const Stretch& stretch) const
     {
-        const Curve& a = curves_[stretch.curveA];
-        const Curve& b = curves_[stretch.curveB];
-        const double middleA = 0.5 * (stretch.a0 + stretch.a1);
-        const double middleB = 0.5 * (stretch.b0 + stretch.b1);
-        double s = middleA;
-        double t = middleB;
+        const Contact middle {stretch.curveA, stretch.curveB, 0.5 * (stretch.a0 + stretch.a1),
+                              0.5 * (stretch.b0 + stretch.b1)};
+        for (const Contact& place : {parallelPlace(middle), crossingPlace(middle)}) {
+            if (leadsTo(middle, place)) {
+                return place;
+            }
+        }
+        return middle;
+    }
+
+    /// Newton's method on gap . a' = 0 and a' x b' = 0.
+    Contact parallelPlace(Contact from) const
+    {
+        const Curve& a = curves_[from.curveA];
+        const Curve& b = curves_[from.curveB];
         for (int i = 0; i < 12; ++i) {
-            const Vec2 gap = a.point(s) - b.point(t);
-            const Vec2 da = a.derivative(s);
-            const Vec2 db = b.derivative(t);
-            const Vec2 dda = a.secondDerivative(s);
-            const Vec2 ddb = b.secondDerivative(t);
+            const Vec2 gap = a.point(from.s) - b.point(from.t);
+            const Vec2 da = a.derivative(from.s);
+            const Vec2 db = b.derivative(from.t);
             const double f = dot(gap, da);
             const double g = cross(da, db);
-            const double fs = squaredLength(da) + dot(gap, dda);
+            const double fs = squaredLength(da) + dot(gap, a.secondDerivative(from.s));
             const double ft = -dot(db, da);
-            const double gs = cross(dda, db);
-            const double gt = cross(da, ddb);
+            const double gs = cross(a.secondDerivative(from.s), db);
+            const double gt = cross(da, b.secondDerivative(from.t));
             const double determinant = fs * gt - ft * gs;
             if (determinant == 0.0) {
                 break;
             }
-            s -= (f * gt - ft * g) / determinant;
-            t -= (fs * g - f * gs) / determinant;
+            from.s -= (f * gt - ft * g) / determinant;
+            from.t -= (fs * g - f * gs) / determinant;
         }
-        // A touch may have been found in several parts: all of them lead to one place.
-        const double reachA = 16.0 * (std::abs(stretch.a1 - stretch.a0) + near_);
-        const double reachB = 16.0 * (std::abs(stretch.b1 - stretch.b0) + near_);
-        const bool inside = std::abs(s - middleA) <= reachA && std::abs(t - middleB) <= reachB
-            && s >= a.first() && s <= a.last() && t >= b.first() && t <= b.last();
-        return inside ? Contact {stretch.curveA, stretch.curveB, s, t}
-                      : Contact {stretch.curveA, stretch.curveB, middleA, middleB};
+        return from;
+    }
+
+    /// Newton's method on gap = 0.
+    Contact crossingPlace(Contact from) const
+    {
+        const Curve& a = curves_[from.curveA];
+        const Curve& b = curves_[from.curveB];
+        for (int i = 0; i < 12; ++i) {
+            const Vec2 gap = b.point(from.t) - a.point(from.s);
+            const Vec2 da = a.derivative(from.s);
+            const Vec2 db = b.derivative(from.t);
+            const double determinant = cross(da, db);
+            if (determinant == 0.0) {
+                break;
+            }
+            from.s += cross(gap, db) / determinant;
+            from.t += cross(gap, da) / determinant;
+        }
+        return from;
+    }
+
+    /// Whether both places are on the curves, and those stay near each other between them.
+    bool leadsTo(const Contact& from, const Contact& to) const
+    {
+        const Curve& a = curves_[from.curveA];
+        const Curve& b = curves_[from.curveB];
+        if (!(to.s >= a.first() && to.s <= a.last() && to.t >= b.first() && to.t <= b.last())) {
+            return false;
+        }
+        const Arc along = makeArc(curves_, from.curveB, std::min(from.t, to.t),
+                                  std::max(from.t, to.t));
+        if (along.coneSine > 0.9) {
+            return false;
+        }
+        for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            const Vec2 p = a.point((1.0 - share) * from.s + share * to.s);
+            const double u = nearestParameter(curves_, along, p);
+            if (distance(p, b.point(u)) > 4.0 * near_) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /// A contact that belongs to an end that both curves share: between the two they run along each
@@ -247,11 +314,9 @@ private:
             && arcLength(curves_[c.curveA], std::min(c.s, c.t), std::max(c.s, c.t)) <= reach;
     }
 
-    /// The same contact is found from both sides of a cut between arcs.
-    void sortPoints()
+    static void sortByPlace(std::vector<Contact>& contacts)
     {
-        auto& points = result_.points;
-        std::sort(points.begin(), points.end(), [](const Contact& p, const Contact& q) {
+        std::sort(contacts.begin(), contacts.end(), [](const Contact& p, const Contact& q) {
             return std::tie(p.curveA, p.curveB, p.s, p.t)
                 < std::tie(q.curveA, q.curveB, q.s, q.t);
         });
@@ -262,6 +327,7 @@ private:
     double near_;
     Execution& execution_;
     ArcPairFinder pairs_;
+    std::vector<Contact> crossings_;
     CurveContacts result_;
 };
 
