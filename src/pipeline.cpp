@@ -293,13 +293,14 @@ private:
             return;
         }
         execution_.beginStage("refine", 0.4, 0.75);
-        refuseTooLarge(estimateTriangles(working_, size));
         refineOptions_.minAngle = options_.minAngle;
         refineOptions_.maxArea = options_.maxArea;
         refineOptions_.optimizeFollows = options_.optimize;
         for (const Region& region : regions_.regions) {
             refineOptions_.regionMaxArea.push_back(region.maxArea);
         }
+        refineOptions_.maxTriangles = options_.memoryLimit / kBytesPerTriangle;
+        refuseTooLarge(estimateTriangles(working_, size, refineOptions_));
         RefineReport refined = refine(working_, size, refineOptions_, execution_);
         result_.report.unreached = std::move(refined.unreached);
         watch_.lap(result_.report.seconds.refine);
@@ -311,9 +312,10 @@ private:
         if (options_.memoryLimit > 0.0 && bytes > options_.memoryLimit) {
             char text[256];
             std::snprintf(text, sizeof text,
-                          "The mesh would have about %.3g triangles or more and need %.3g GB of memory, but "
-                          "only %.3g GB are free; choose a larger size.",
-                          triangles, bytes * 1e-9, options_.memoryLimit * 1e-9);
+                          "The mesh would have about %.3g triangles or more and need %.3g GB of "
+                          "memory, but only %.3g GB are free; choose a larger size%s.",
+                          triangles, bytes * 1e-9, options_.memoryLimit * 1e-9,
+                          options_.maxArea > 0.0 ? " or a larger area" : "");
             throw Error(ErrorKind::TooLarge, text);
         }
     }

@@ -10,9 +10,14 @@
 // powers of two), and a triangle whose shortest edge joins two such edges is left alone: with that
 // Ruppert's argument for termination holds for any input angles.
 //
-// Guarantees: ends always: beside the argument above no constrained edge is split below
-// kSmallestPiece of the size there, and the number of insertions is bounded by a multiple of the
-// estimated number of triangles. For input angles of at least 60 degrees and gaps above that floor
+// Guarantees: ends always, whatever rounding does. No constrained edge is split below
+// kSmallestPiece of the size there, so their pieces are finite in number. No point is inserted
+// nearer to a vertex that it sees than kSmallestDistance of the spacing there: the length of
+// constrained edges and the distances that stood before, which new points inherit unchanged. All
+// distances in a convex part between constrained edges thus have one positive bound, and only
+// finitely many points fit. Moreover the number of insertions is bounded by a multiple of the
+// estimated number of triangles. (Without the bound a triangle 1 wide and 1e-17 high is filled down
+// to the smallest double: points beside each other round into the same column.) For input angles of at least 60 degrees and gaps above that floor
 // no angle below 20.7 degrees remains in theory (Ruppert), 30 in practice; what remains is listed
 // by collectUnreached(). Complexity: O(m log m) for m insertions.
 
@@ -23,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <queue>
 
@@ -33,6 +39,7 @@ namespace
 {
 
 constexpr double kSmallestPiece = 1.0 / 64.0; ///< of the size, for pieces of constrained edges
+constexpr double kSmallestDistance = 1.0 / 64.0; ///< of the spacing, between a point and a vertex
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
 constexpr std::size_t kCheckpointEvery = 256;
 
@@ -120,6 +127,7 @@ public:
         if (large_.empty() && skinny_.empty()) {
             return;
         }
+        measureSpacing();
         workLeft_ = 20.0 * static_cast<double>(t_.triangles.size())
             + 200.0 * static_cast<double>(editor_.mesh().edges.size()) + 1000.0;
         bool extended = false;
@@ -127,6 +135,7 @@ public:
         while (!large_.empty() || !skinny_.empty()) {
             if (++steps % kCheckpointEvery == 0) {
                 execution_.checkpoint();
+                requireFewTriangles(static_cast<double>(t_.triangles.size()), options_);
             }
             if (workLeft_ <= 0.0) {
                 if (extended) {
@@ -151,6 +160,33 @@ private:
         const auto& v = t_.triangles[bad.triangle].v;
         return v[0] == bad.v[0] && v[1] == bad.v[1] && v[2] == bad.v[2]
             && editor_.isKept(bad.triangle);
+    }
+
+    /// Of a vertex on constrained edges the length of the shortest of them, else its distance from
+    /// its nearest neighbor.
+    void measureSpacing()
+    {
+        spacing_.assign(t_.points.size(), std::numeric_limits<double>::infinity());
+        for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
+            if (!editor_.isKept(i)) {
+                continue;
+            }
+            for (std::uint32_t side = 0; side < 3; ++side) {
+                const HalfEdge h = Topology::halfEdge(i, side);
+                const std::uint32_t ends[2] = {t_.origin(h), t_.destination(h)};
+                const double l = distance(t_.points[ends[0]], t_.points[ends[1]]);
+                for (const std::uint32_t v : ends) {
+                    if (t_.isConstrained(h) || editor_.isFree(v)) {
+                        spacing_[v] = std::min(spacing_[v], l);
+                    }
+                }
+            }
+        }
+    }
+
+    double leastSpacing(const Shape& s) const
+    {
+        return std::min({spacing_[s.v[0]], spacing_[s.v[1]], spacing_[s.v[2]]});
     }
 
     /// Queues the triangle if it is too large or skinny.
@@ -274,7 +310,12 @@ private:
                  && found.location.kind != Location::Kind::Vertex) {
             collectEncroached(p, found.location);
             if (encroached_.empty()) {
+                const double spacing = leastSpacing(s);
+                if (!(nearest_ >= kSmallestDistance * spacing)) {
+                    return;
+                }
                 const std::uint32_t v = editor_.insertInside(p, found.location);
+                spacing_.resize(v + 1, spacing);
                 ++report_.interiorPoints;
                 judgeStar(v);
                 return;
@@ -297,9 +338,11 @@ private:
         t_.forEachAround(v, [&](HalfEdge h) { judge(Topology::triangleOf(h)); });
     }
 
-    /// The constrained edges around the conflict region of p whose diametral circle contains p.
+    /// The constrained edges around the conflict region of p whose diametral circle contains p; and
+    /// how near p is to the corners of that region, of which one is the nearest vertex it sees.
     void collectEncroached(Vec2 p, const Location& where)
     {
+        double nearest = std::numeric_limits<double>::infinity();
         region_.assign(1, Topology::triangleOf(where.edge));
         if (where.kind == Location::Kind::Edge) {
             region_.push_back(Topology::triangleOf(t_.twin(where.edge)));
@@ -309,6 +352,7 @@ private:
                 const HalfEdge h = Topology::halfEdge(region_[i], side);
                 const Vec2 a = t_.points[t_.origin(h)];
                 const Vec2 b = t_.points[t_.destination(h)];
+                nearest = std::min(nearest, squaredDistance(a, p));
                 if (t_.isConstrained(h)) {
                     if (dot(a - p, b - p) < 0.0) {
                         encroached_.emplace_back(t_.origin(h), t_.destination(h));
@@ -326,6 +370,7 @@ private:
                 }
             }
         }
+        nearest_ = std::sqrt(nearest);
     }
 
     /// Splits a constrained edge in the middle, or on the shell around an acute apex.
@@ -353,6 +398,7 @@ private:
         if (v == MeshEditor::kNone) {
             return false;
         }
+        spacing_.resize(v + 1, std::min(piece, std::min(spacing_[a], spacing_[b])));
         workLeft_ -= 1.0;
         ++report_.segmentSplits;
         judgeStar(v);
@@ -369,6 +415,8 @@ private:
     double workLeft_ = 0.0;
     std::vector<BadTriangle> large_;
     std::priority_queue<BadTriangle> skinny_;
+    std::vector<double> spacing_; ///< by vertex
+    double nearest_ = 0.0;        ///< of collectEncroached()
     std::vector<std::uint32_t> region_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> encroached_;
 };

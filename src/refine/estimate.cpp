@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -29,6 +31,7 @@ constexpr int kDeepest = 60;
 struct Part
 {
     Vec2 a, b, c;
+    double largest; ///< size allowed
     double count;
     double weight;
 };
@@ -41,10 +44,11 @@ public:
         , gradient_(size.gradientBound())
     {}
 
-    void add(Vec2 a, Vec2 b, Vec2 c, double weight = 1.0)
+    /// largest bounds the size.
+    void add(Vec2 a, Vec2 b, Vec2 c, double largest, double weight = 1.0)
     {
         const Vec2 center = (1.0 / 3.0) * (a + b + c);
-        const double h = size_.size(center);
+        const double h = std::min(size_.size(center), largest);
         const double area = 0.5 * std::fabs(cross(b - a, c - a));
         const double count = 4.0 / std::numbers::sqrt3 * area / (h * h);
         const double reach
@@ -55,7 +59,7 @@ public:
             sum_ += weight * count;
         }
         else {
-            parts_.push_back({a, b, c, count, weight});
+            parts_.push_back({a, b, c, largest, count, weight});
         }
     }
 
@@ -70,10 +74,10 @@ public:
                 const Vec2 ab = midpoint(p.a, p.b);
                 const Vec2 bc = midpoint(p.b, p.c);
                 const Vec2 ca = midpoint(p.c, p.a);
-                add(p.a, ab, ca, p.weight);
-                add(ab, p.b, bc, p.weight);
-                add(ca, bc, p.c, p.weight);
-                add(ab, bc, ca, p.weight);
+                add(p.a, ab, ca, p.largest, p.weight);
+                add(ab, p.b, bc, p.largest, p.weight);
+                add(ca, bc, p.c, p.largest, p.weight);
+                add(ab, bc, ca, p.largest, p.weight);
             }
         }
         for (const Part& p : parts_) {
@@ -131,12 +135,32 @@ double areaLimitOf(const RefineOptions& options, std::uint32_t region)
 
 } // namespace
 
-double estimateTriangles(const WorkingMesh& mesh, const SizeField& size)
+double sizeForArea(double area)
+{
+    // Equilateral triangles of that area have this edge; most are not quite equilateral.
+    return area > 0.0 ? std::sqrt(area) * std::sqrt(4.0 / std::numbers::sqrt3) * 0.9
+                      : std::numeric_limits<double>::infinity();
+}
+
+void requireFewTriangles(double triangles, const RefineOptions& options)
+{
+    if (options.maxTriangles > 0.0 && triangles > options.maxTriangles) {
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "The mesh would have more than %.3g triangles, which is all that fits into the "
+                      "free memory; choose a larger size.",
+                      options.maxTriangles);
+        throw Error(ErrorKind::TooLarge, text);
+    }
+}
+
+double estimateTriangles(const WorkingMesh& mesh, const SizeField& size,
+                         const RefineOptions& options)
 {
     const Triangulation& t = mesh.triangulation;
     const double uniform = size.uniformSize();
     Integral integral(size);
-    double area = 0.0;
+    double inside = 0.0;
     for (std::uint32_t i = 0; i < t.triangles.size(); ++i) {
         if (!t.isFinite(i) || mesh.regionOfTriangle[i] == WorkingMesh::kOutside) {
             continue;
@@ -145,15 +169,16 @@ double estimateTriangles(const WorkingMesh& mesh, const SizeField& size)
         const Vec2 a = t.points[v[0]];
         const Vec2 b = t.points[v[1]];
         const Vec2 c = t.points[v[2]];
+        const double largest = sizeForArea(areaLimitOf(options, mesh.regionOfTriangle[i]));
         if (uniform > 0.0) {
-            area += 0.5 * cross(b - a, c - a);
+            const double h = std::min(uniform, largest);
+            inside += 2.0 / std::numbers::sqrt3 * (cross(b - a, c - a) / h / h);
         }
         else {
-            integral.add(a, b, c);
+            integral.add(a, b, c, largest);
         }
     }
-    const double inside = uniform > 0.0 ? 4.0 / std::numbers::sqrt3 * area / (uniform * uniform)
-                                        : integral.finish();
+    inside += integral.finish();
     return std::min(inside + static_cast<double>(mesh.edges.size()), kMostTriangles);
 }
 

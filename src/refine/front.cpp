@@ -85,8 +85,9 @@ public:
         breakUpFans();
         std::size_t steps = 0;
         while (!stack_.empty()) {
-            if (++steps % kCheckpointEvery == 0) {
+            if (steps++ % kCheckpointEvery == 0) {
                 execution_.checkpoint();
+                sizes_.requireFew(t_.triangles.size());
             }
             const Waiting top = stack_.back();
             stack_.pop_back();

@@ -55,6 +55,7 @@ struct RefineOptions
     /// optimize() will be called with the same options: small angles are left to it, which mends
     /// most of them without further points.
     bool optimizeFollows = false;
+    double maxTriangles = 0.0; ///< more are refused; 0: no limit
 };
 
 struct RefineReport
@@ -69,12 +70,22 @@ struct RefineReport
 /// size field, sizes grow from theirs. Constrained edges are split on their curves only.
 /// Guarantees, for input angles of at least 60 degrees: no angle below minAngle except those listed
 /// in report.unreached (20.7 degrees in theory, see delaunay_refinement.cpp). Ends for any input.
+/// Throws Error(TooLarge) when there would be more than options.maxTriangles: gaps can need many more
+/// than estimateTriangles() tells.
 RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
                     Execution& execution);
 
 /// Number of triangles that refine() will make, estimated from the integral of 1/h² over the kept
-/// triangles; within about 20 % where the field is smooth. Stops counting at 1e12.
-double estimateTriangles(const WorkingMesh& mesh, const SizeField& size);
+/// triangles, h being no larger than options.maxArea and regionMaxArea allow; within about 20 % where
+/// the field is smooth, 40 % where areas decide. Stops counting at 1e12.
+double estimateTriangles(const WorkingMesh& mesh, const SizeField& size,
+                         const RefineOptions& options = {});
+
+/// Edge length that keeps triangles below an area; infinity for no limit (0).
+double sizeForArea(double area);
+
+/// Throws Error(TooLarge) if triangles is more than options.maxTriangles.
+void requireFewTriangles(double triangles, const RefineOptions& options);
 
 /// What a finished mesh does not reach: angles below options.minAngle ("min_angle", degrees) and
 /// areas above the limits ("max_area"), worst first, at the triangles' centroids.

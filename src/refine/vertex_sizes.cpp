@@ -44,9 +44,7 @@ VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const Refine
     , t_(editor.triangulation())
     , size_(size)
     , options_(options)
-    // Equilateral triangles of the largest area have this edge; most are not quite equilateral.
-    , areaSize_(options.maxArea > 0.0 ? std::sqrt(options.maxArea * 4.0 / std::numbers::sqrt3) * 0.9
-                                      : std::numeric_limits<double>::infinity())
+    , areaSize_(sizeForArea(options.maxArea))
 {}
 
 void VertexSizes::prepare(RefineReport& report, Execution& execution)
@@ -62,6 +60,7 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
         measureSpacing();
         measureGaps();
         limitGrowth();
+        requireFewTriangles(leastPieces(), options_);
         // The last round may not split: every vertex needs a size.
         if (options_.freezeBoundary || round + 1 == kRounds || splitLongEdges(report) == 0) {
             break;
@@ -219,6 +218,17 @@ void VertexSizes::limitGrowth()
             lowerNeighbors(top.second);
         }
     }
+}
+
+/// How many pieces constrained edges will have in the end; each has a triangle of its own.
+double VertexSizes::leastPieces() const
+{
+    double pieces = 0.0;
+    for (const ConstrainedEdge& edge : editor_.constMesh().edges) {
+        const double l = distance(t_.points[edge.a], t_.points[edge.b]);
+        pieces += std::max(1.0, l / (0.5 * kLongest * (h_[edge.a] + h_[edge.b])));
+    }
+    return pieces;
 }
 
 std::size_t VertexSizes::splitLongEdges(RefineReport& report)

@@ -39,6 +39,10 @@ public:
         h_.resize(end, 0.0);
         std::fill(h_.begin() + begin, h_.end(), h);
     }
+    void requireFew(std::size_t triangles) const
+    {
+        requireFewTriangles(static_cast<double>(triangles), options_);
+    }
     /// The constant value of fieldAt() if the size field is uniform, else 0.
     double uniformSize() const { return std::min(size_.uniformSize(), areaSize_); }
     /// The size field itself, limited by the area limit of the whole mesh.
@@ -56,6 +60,7 @@ private:
     void measureSpacing();
     void measureGaps();
     void limitGrowth();
+    double leastPieces() const;
     std::size_t splitLongEdges(RefineReport& report);
     void lower(std::uint32_t vertex, double spacing);
 

@@ -207,6 +207,7 @@ TEST_F(MeshCommand, BadOptions)
     refuse(with({"--growth", "nan"}), "growth");
     refuse(with({"--min-angle", "40"}), "angle");
     refuse(with({"--size", "1e-9"}), "memory");
+    refuse(with({"--max-area", "1e-30"}), "1e+12 triangles or more");
     for (const auto& wrong : std::vector<std::vector<std::string>> {
              {"--size", "small"}, {"--size"}, {"--order", "3"}, {"--fill", "some"}, {"--fill", "3"},
              {"--recovery", "none"}, {"--constraint", "1,x"}, {"--no-such-option"},
@@ -237,6 +238,23 @@ TEST_F(MeshCommand, BadInputs)
     refuse({"mesh", "bad.step", "-o", "x.vtu"}, "bad.step");
     program.give("far.poly", "3 2 0 0\n1 0 0\n2 1e200 0\n3 1 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
     refuse({"mesh", "far.poly", "-o", "x.vtu"}, "tessera: ");
+}
+
+TEST_F(MeshCommand, RegressionsAreMeshed)
+{
+    std::size_t files = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(TESSERA_SOURCE_DIR "/tests/data/regressions")) {
+        SCOPED_TRACE(entry.path());
+        ++files;
+        for (const char* option : {"--quiet", "--no-optimize"}) {
+            // The limit ends what would never end; each takes a tenth of a second.
+            const json report = mesh({entry.path().string(), option, "--time-limit", "60"});
+            EXPECT_EQ(report["regions"], 1);
+            EXPECT_LE(report["triangles"].get<int>(), 10000);
+        }
+    }
+    EXPECT_GE(files, 4U);
 }
 
 TEST_F(MeshCommand, TruncatedInputIsRefusedOrMeshed)

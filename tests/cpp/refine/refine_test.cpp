@@ -156,6 +156,59 @@ TEST(Refine, ThinGapEnds)
     }
 }
 
+TEST(Refine, FlatTrianglesEnd)
+{
+    // Points beside each other on both long sides round into the same column.
+    for (const double height : {1e-17, 1e-16, 3e-16, 1e-13, 1e-9, 1e-4}) {
+        const UniformSize size(0.025);
+        Domain d;
+        d.addPolygon({{0, 0}, {1, 0}, {0.5, height}}, &size);
+        const Refined r = refineDomain(d, size);
+        expectValid(r);
+        EXPECT_LE(r.figures.triangles, 12000U) << height;
+    }
+}
+
+TEST(Refine, MoreTrianglesThanAllowedAreRefused)
+{
+    const UniformSize size(0.025);
+    RefineOptions options;
+    options.maxTriangles = 1000.0;
+    Domain flat; // the gap divides its sides far below the size
+    flat.addPolygon({{0, 0}, {1, 0}, {0.5, 1e-9}}, &size);
+    Domain square;
+    square.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+    for (const Domain& d : {flat, square}) {
+        try {
+            refineDomain(d, size, options);
+            ADD_FAILURE() << "no error";
+        }
+        catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::TooLarge);
+            EXPECT_NE(std::string(error.what()).find("1e+03 triangles"), std::string::npos);
+        }
+    }
+}
+
+TEST(Refine, EstimateCountsAreaLimits)
+{
+    const UniformSize size(0.1);
+    Domain d;
+    d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+    for (const double area : {1e-3, 1e-4, 3e-5}) {
+        RefineOptions everywhere;
+        everywhere.maxArea = area;
+        RefineOptions inRegion;
+        inRegion.regionMaxArea = {area};
+        for (const RefineOptions& options : {everywhere, inRegion}) {
+            const double estimate = estimateTriangles(d.build(), size, options);
+            const auto made
+                = static_cast<double>(refineDomain(d, size, options).figures.triangles);
+            EXPECT_NEAR(estimate / made, 1.0, 0.4) << area;
+        }
+    }
+}
+
 TEST(Refine, ManyLinesThroughOnePoint)
 {
     const UniformSize size(0.1);
