@@ -7,6 +7,7 @@
 #include "mesh/second_order.h"
 #include "optimize/optimize.h"
 #include "refine/working_mesh.h"
+#include "region/colored_plane.h"
 #include "region/no_inside.h"
 #include "sample/sample.h"
 #include "sizing/make_size_field.h"
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -149,6 +151,7 @@ private:
         const SizeField& size = *field;
         refuseTooLarge(leastTriangles());
         sampleStage(size);
+        colored_.reset();
         triangulateStage();
         recoverStage();
         colorStage();
@@ -208,15 +211,55 @@ private:
 
     std::shared_ptr<const SizeField> sizeStage(const SizeField* callersSize)
     {
-        const SizeOptions sizeOptions {
+        SizeOptions sizeOptions {
             .size = options_.size, .minSize = options_.minSize, .growth = options_.growth};
         result_.report.defaultSize = defaultSize(network_);
+        addLocalSizes(sizeOptions);
         if (callersSize == nullptr) {
             return makeSizeField(network_, sizeOptions, execution_);
         }
         // Not owned: the caller's field outlives the run.
         const std::shared_ptr<const SizeField> base(callersSize, [](const SizeField*) {});
         return makeSizeField(network_, base, sizeOptions, execution_);
+    }
+
+    void addLocalSizes(SizeOptions& sizeOptions)
+    {
+        LocalSizes& local = sizeOptions.local = options_.sizes;
+        for (CurveSize& curves : local.curves) {
+            curves.curves = arrangedCurves(curves.curves);
+        }
+        if (!options_.refine) {
+            local.areas.clear(); // nothing but curved curves is divided
+            local.regions.clear();
+            local.gap = 0.0;
+        }
+        if (local.regions.empty() && local.gap == 0.0) {
+            return;
+        }
+        colored_ = std::make_unique<const ColoredPlane>(network_, options_.fill, execution_);
+        sizeOptions.inside = [this](Vec2 p) { return colored_->regionAt(p).inside; };
+        for (const RegionSize& region : local.regions) {
+            local.areas.push_back(colored_->areaSource(region));
+        }
+        local.regions.clear();
+    }
+
+    /// The pieces of these curves of the input.
+    std::vector<CurveId> arrangedCurves(const std::vector<CurveId>& ofInput) const
+    {
+        std::vector<std::uint8_t> chosen(input_.curves.size(), 0);
+        for (const CurveId id : ofInput) {
+            require(id.index() < chosen.size(), "A size is for a curve that is not there.");
+            chosen[id.index()] = 1;
+        }
+        std::vector<CurveId> pieces;
+        for (std::size_t c = 0; c < arranged_.parent.size(); ++c) {
+            if (chosen[arranged_.parent[c].index()] != 0) {
+                pieces.emplace_back(c);
+            }
+        }
+        return pieces;
     }
 
     /// Every piece of a curve has a triangle of its own, and no size is larger than this one.
@@ -233,7 +276,15 @@ private:
     void sampleStage(const SizeField& size)
     {
         execution_.beginStage("sample", 0.05, 0.1);
-        pslg_ = sample(network_, size, {.straightSegments = options_.refine}, execution_);
+        SampleOptions sampleOptions {.straightSegments = options_.refine,
+                                     .piecesPerTurn = options_.sizes.piecesPerTurn,
+                                     .chordError = options_.sizes.chordError};
+        if (options_.memoryLimit > 0.0) {
+            // Every piece has a triangle of its own.
+            sampleOptions.mostPieces =
+                std::min(kMostPieces, options_.memoryLimit / kBytesPerTriangle);
+        }
+        pslg_ = sample(network_, size, sampleOptions, execution_);
         watch_.lap(result_.report.seconds.sample);
     }
 
@@ -380,6 +431,7 @@ private:
 
     ArrangeReport arranged_;
     CurveNetwork network_; ///< arranged
+    std::unique_ptr<const ColoredPlane> colored_; ///< where sizes need it
     Pslg pslg_;
     InitialRectangle rectangle_;
     DelaunayResult delaunay_;

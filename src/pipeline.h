@@ -9,6 +9,7 @@
 #include "recover/recover.h"
 #include "refine/refine.h"
 #include "region/region.h"
+#include "sizing/local_sizes.h"
 #include "sizing/size_field.h"
 
 #include <array>
@@ -38,6 +39,7 @@ struct MeshOptions
     RecoveryStrategy recovery = RecoveryStrategy::Cavity;
     bool refine = true;    ///< false: no interior points, straight segments not sampled
     bool optimize = true;
+    LocalSizes sizes {};   ///< what asks for sizes besides size; curves by their ids in the input
 };
 
 /// Seconds of each stage; disjoint, in the order they run. read and write belong to the caller.

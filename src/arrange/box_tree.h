@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -65,8 +66,54 @@ public:
         }
     }
 
+    /// Looks for the item nearest to p: calls f(i), which returns the square of the least distance
+    /// found so far, for every item whose box is nearer than that, nearer boxes first.
+    template<class F>
+    void searchNearest(Vec2 p, F&& f) const
+    {
+        if (!nodes_.empty()) {
+            double best = std::numeric_limits<double>::infinity();
+            searchNearest(0, p, best, f);
+        }
+    }
+
 private:
     static constexpr std::uint32_t kLeafSize = 4;
+
+    static double squaredDistance(const Box2& box, Vec2 p)
+    {
+        const double x = std::max({box.min.x - p.x, 0.0, p.x - box.max.x});
+        const double y = std::max({box.min.y - p.y, 0.0, p.y - box.max.y});
+        return x * x + y * y;
+    }
+
+    template<class F>
+    void searchNearest(std::uint32_t index, Vec2 p, double& best, F& f) const
+    {
+        const Node& node = nodes_[index];
+        if (node.right == 0) {
+            for (std::uint32_t k = node.begin; k < node.end; ++k) {
+                if (squaredDistance(boxes_[items_[k]], p) < best) {
+                    best = f(items_[k]);
+                }
+            }
+            return;
+        }
+        std::uint32_t nearer = node.left;
+        std::uint32_t farther = node.right;
+        double toNearer = squaredDistance(nodes_[nearer].box, p);
+        double toFarther = squaredDistance(nodes_[farther].box, p);
+        if (toFarther < toNearer) {
+            std::swap(nearer, farther);
+            std::swap(toNearer, toFarther);
+        }
+        if (toNearer < best) {
+            searchNearest(nearer, p, best, f);
+        }
+        if (toFarther < best) {
+            searchNearest(farther, p, best, f);
+        }
+    }
 
     struct Node
     {

@@ -88,7 +88,7 @@ public:
             else {
                 sampleStraight(CurveId(c), curve);
             }
-            requireFewPieces(static_cast<double>(pieces_.size()));
+            requireFewPieces(static_cast<double>(pieces_.size()), options_.mostPieces);
         }
         separatePieces(pslg_.points, pieces_, execution_);
         exportSegments();
@@ -155,7 +155,7 @@ private:
     {
         std::vector<double> parameters;
         if (const double uniform = size_.uniformSize(); uniform > 0.0) {
-            requireFewPieces(length / checkedSize(size_, line.point(0.5)));
+            requireFewPieces(length / checkedSize(size_, line.point(0.5)), options_.mostPieces);
             const std::size_t n = pieceCount(length / uniform);
             for (std::size_t k = 1; k < n; ++k) {
                 parameters.push_back(static_cast<double>(k) / static_cast<double>(n));
@@ -343,6 +343,9 @@ Pslg sample(const CurveNetwork& network, const SizeField& size, const SampleOpti
     if (!(options.piecesPerTurn >= 3.0 && options.piecesPerTurn <= 10000.0)) {
         throw Error(ErrorKind::InvalidOption,
                     "The pieces for a full turn must be between 3 and 10000.");
+    }
+    if (!(options.mostPieces > 0.0)) {
+        throw Error(ErrorKind::InvalidOption, "The greatest number of pieces must be above 0.");
     }
     if (!(options.chordError >= 0.0) || !std::isfinite(options.chordError)) {
         throw Error(ErrorKind::InvalidOption,

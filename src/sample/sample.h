@@ -9,6 +9,9 @@
 namespace tessera
 {
 
+/// The most pieces that sample() ever makes.
+inline constexpr double kMostPieces = 67108864.0;
+
 struct SampleOptions
 {
     /// False: straight curves stay whole whatever the size (--no-refine).
@@ -19,6 +22,7 @@ struct SampleOptions
     /// Greatest distance of a piece from its curve, in the input's unit; 0: no bound. Kept as far
     /// as curvature tells it: sagitta = piece^2 curvature / 8.
     double chordError = 0.0;
+    double mostPieces = kMostPieces; ///< what would become more is refused
 };
 
 /// Replaces each curve by straight pieces whose ends lie on it. A curve gets n pieces with equal
@@ -33,12 +37,9 @@ struct SampleOptions
 /// the same points, bit for bit. Curves of zero length are dropped and named in Pslg::messages;
 /// curves with Role::Ignored are left out silently.
 /// Throws Error(InvalidOption) where the size is not positive and finite, and for options out of
-/// range; Error(TooLarge) when more than kMostPieces would result.
+/// range; Error(TooLarge) when more than options.mostPieces would result.
 Pslg sample(const CurveNetwork& network, const SizeField& size, const SampleOptions& options,
             Execution& execution);
-
-/// The most pieces that sample() makes.
-inline constexpr double kMostPieces = 67108864.0;
 
 /// The number of pieces for a curve whose integral of ds/h is x: the one for which x / n is nearest
 /// to 1 in ratio, and never above 1.4.

@@ -41,12 +41,13 @@ double checkedSize(const SizeField& size, Vec2 p)
     return h;
 }
 
-void requireFewPieces(double pieces)
+void requireFewPieces(double pieces, double most)
 {
-    if (!(pieces <= kMostPieces)) {
+    if (!(pieces <= most)) {
         char text[160];
         std::snprintf(text, sizeof text,
-                      "The curves would be cut into more than %.2g pieces; choose a larger size.",
+                      "The curves would be cut into more than %.2g pieces, too many for the memory; "
+                      "choose a larger size.",
                       std::min(pieces, 1e300));
         throw Error(ErrorKind::TooLarge, text);
     }
@@ -132,7 +133,7 @@ void SizeIntegral::addChunks(double a, double b, const Sums& whole, int depth)
         byBending_ += left.bending + right.bending;
         turning_ += left.turning + right.turning;
         length_ += left.length + right.length;
-        requireFewPieces(total_);
+        requireFewPieces(total_, options_.mostPieces);
         if (chunks_.size() % 256 == 0) {
             execution_.checkpoint();
         }

@@ -16,8 +16,8 @@ namespace tessera
 /// size.size(p); throws Error(InvalidOption) unless it is positive and finite.
 double checkedSize(const SizeField& size, Vec2 p);
 
-/// Throws Error(TooLarge) if pieces is more than kMostPieces.
-void requireFewPieces(double pieces);
+/// Throws Error(TooLarge) if pieces is more than most.
+void requireFewPieces(double pieces, double most);
 
 /// The running integral of ds/h along a stretch of a curve that has no corner, with ds/h raised to
 /// what bending asks for. Symmetric: run through backwards it gives the same values.

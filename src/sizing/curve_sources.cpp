@@ -114,7 +114,38 @@ private:
     std::vector<SizeSource> sources_;
 };
 
+constexpr int kMostHalvings = 20;
+
+void addChords(const Curve& curve, double a, double b, SizeSource law, int depth,
+               std::vector<SizeSource>& sources)
+{
+    if (depth > 0 && sagittaBound(curve, a, b) > 0.1 * law.size) {
+        const double t = 0.5 * (a + b);
+        addChords(curve, a, t, law, depth - 1, sources);
+        addChords(curve, t, b, law, depth - 1, sources);
+        return;
+    }
+    law.a = curve.point(a);
+    law.b = curve.point(b);
+    sources.push_back(law);
+}
+
 } // namespace
+
+void addSourcesAlong(const CurveNetwork& network, const NetworkCurve& curve, SizeSource law,
+                     std::vector<SizeSource>& sources)
+{
+    if (!curve.geometry) {
+        law.a = network.points[curve.start.index()];
+        law.b = network.points[curve.end.index()];
+        sources.push_back(law);
+        return;
+    }
+    const std::vector<double> ends = smoothIntervals(*curve.geometry);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        addChords(*curve.geometry, ends[i], ends[i + 1], law, kMostHalvings, sources);
+    }
+}
 
 std::vector<SizeSource> curveSources(const CurveNetwork& network, const SizeField& base,
                                      const CurveSourceOptions& options)

@@ -21,4 +21,9 @@ struct CurveSourceOptions
 std::vector<SizeSource> curveSources(const CurveNetwork& network, const SizeField& base,
                                      const CurveSourceOptions& options);
 
+/// Appends a source like law (its ends are filled in) for each chord of the curve; the chords are
+/// nearer to the curve than a tenth of law's size.
+void addSourcesAlong(const CurveNetwork& network, const NetworkCurve& curve, SizeSource law,
+                     std::vector<SizeSource>& sources);
+
 } // namespace tessera

@@ -123,7 +123,7 @@ private:
         const SizeSource& source = sources_[i];
         const double across = growth_ * distance(source.a, source.b);
         const double least = std::min(value_[nodeOf_[2 * i]], value_[nodeOf_[2 * i + 1]]);
-        if (least + across > tolerance_ * source.size) {
+        if (!source.isPlain() || least + across > tolerance_ * source.size) {
             kept_[i] = 1;
             lower(nodeOf_[2 * i], source.size);
             lower(nodeOf_[2 * i + 1], source.size);

@@ -96,8 +96,7 @@ private:
     {
         Winner least {field_.maxSize_, kNone};
         for (std::size_t k = candidates.begin; k < candidates.end; ++k) {
-            const GradedSize::Segment& source = sources_[candidates_[k]];
-            const double value = source.size + field_.slope_ * source.distanceTo(p);
+            const double value = sources_[candidates_[k]].sizeAt(p);
             least = value < least.value ? Winner {value, candidates_[k]} : least;
         }
         least.value = field_.clamped(least.value);
@@ -114,7 +113,7 @@ private:
         middle = {field_.maxSize_, kNone};
         for (std::size_t k = 0; k < from.size(); ++k) {
             const std::uint32_t i = candidates_[from.begin + k];
-            atCenter_[k] = sources_[i].size + field_.slope_ * sources_[i].distanceTo(center);
+            atCenter_[k] = sources_[i].sizeAt(center);
             middle = atCenter_[k] < middle.value ? Winner {atCenter_[k], i} : middle;
         }
         const double limit = std::min(field_.maxSize_, middle.value + reach);
@@ -274,7 +273,8 @@ GradedSize::GradedSize(const Box2& box, std::span<const SizeSource> sources,
     for (const SizeSource& source : withoutDominated(sources, slope_)) {
         const Vec2 along = source.b - source.a;
         const double square = squaredLength(along);
-        sources_.push_back({source.a, along, square > 1e-300 ? 1.0 / square : 0.0, source.size});
+        sources_.push_back({source.a, along, square > 1e-300 ? 1.0 / square : 0.0, source.size,
+                            source.radius, std::min(slope_, source.slope), source.most});
     }
     GradedSizeBuilder(*this, execution).run();
 }
@@ -307,8 +307,7 @@ double GradedSize::size(Vec2 p) const
     }
     double least = maxSize_;
     for (std::uint32_t i = 0; i < cell->count; ++i) {
-        const Segment& source = sources_[nearSources_[cell->index + i]];
-        least = std::min(least, source.size + slope_ * source.distanceTo(inside));
+        least = std::min(least, sources_[nearSources_[cell->index + i]].sizeAt(inside));
     }
     return clamped(least);
 }

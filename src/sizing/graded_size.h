@@ -8,24 +8,38 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace tessera
 {
 
-/// Asks for a size along the straight segment from a to b (a point if they are equal).
+/// Asks for a size along the straight segment from a to b (a point if they are equal), up to a
+/// distance from it, and beyond for sizes that grow with the distance, up to a most.
 struct SizeSource
 {
     Vec2 a;
     Vec2 b;
     double size;
+    double radius = 0.0; ///< up to this distance the size holds
+    /// Growth beyond the radius; never more than the field's.
+    double slope = std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity(); ///< the source asks for no more
+
+    /// Nothing but a size on the segment, growing as the field does.
+    bool isPlain() const
+    {
+        constexpr double kInfinite = std::numeric_limits<double>::infinity();
+        return radius == 0.0 && slope == kInfinite && most == kInfinite;
+    }
 };
 
 /// Gradation-limited field of any number of sources: the largest field with |grad h| <= growth that
-/// exceeds neither the largest size nor any source's size on the source:
+/// exceeds neither the largest size nor what any source asks for:
 ///
-///     h(p) = max(minSize, min(maxSize, min over i of (size_i + growth |p - source_i|)))
+///     h(p) = max(minSize, min(maxSize, min over i of
+///                min(most_i, size_i + slope_i max(0, |p - source_i| - radius_i))))
 ///
 /// to within 0.01 growth relative and 0.97 of the slope, and never steeper than growth between
 /// points farther apart than about half their size. size() costs well below 100 ns.
@@ -71,12 +85,16 @@ private:
         Vec2 along;
         double inverseSquare; ///< of its length; 0 for a point
         double size;
+        double radius;
+        double slope;
+        double most;
 
-        double distanceTo(Vec2 p) const
+        double sizeAt(Vec2 p) const
         {
             const Vec2 offset = p - a;
             const double s = std::clamp(dot(offset, along) * inverseSquare, 0.0, 1.0);
-            return std::sqrt(squaredLength(offset - s * along));
+            const double away = std::sqrt(squaredLength(offset - s * along)) - radius;
+            return std::min(most, size + slope * std::max(0.0, away));
         }
     };
 
@@ -97,8 +115,8 @@ private:
 
 /// The sources that matter when sizes grow at most by growth: a source is left out if along its
 /// neighbors (sources that share an end) there comes so small a size that nowhere on the source
-/// more than tolerance times its own size results without it. With tolerance 1 the field of the
-/// rest is the same. O(n log n).
+/// more than tolerance times its own size results without it. Only plain sources are left out. With
+/// tolerance 1 the field of the rest is the same. O(n log n).
 std::vector<SizeSource> withoutDominated(std::span<const SizeSource> sources, double growth,
                                          double tolerance = 1.0);
 

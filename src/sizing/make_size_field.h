@@ -3,8 +3,10 @@
 
 #include "base/execution.h"
 #include "curve/curve_network.h"
+#include "sizing/local_sizes.h"
 #include "sizing/size_field.h"
 
+#include <functional>
 #include <memory>
 
 namespace tessera
@@ -16,16 +18,18 @@ struct SizeOptions
     double size = 0.0;          ///< largest size; 0: defaultSize()
     double minSize = 0.0;       ///< nowhere smaller; 0: no bound
     double growth = 0.3;        ///< greatest |grad h|, 0 < growth <= 1
-    double piecesPerTurn = 8.0; ///< as SampleOptions::piecesPerTurn
-    double chordError = 0.0;    ///< as SampleOptions::chordError
+    LocalSizes local {};        ///< its regions do not count here: give areas instead
+    /// Whether a place is to be meshed: other gaps between curves do not count. Null: everywhere.
+    std::function<bool(Vec2)> inside {};
 };
 
 /// Bounding-box diagonal / 40; 0 for a network without extent.
 double defaultSize(const CurveNetwork& network);
 
-/// The default field of a network: options.size, smaller at curves too short or too strongly curved
-/// for it, growing from there at most by options.growth. A UniformSize where nothing is smaller.
-/// Throws Error(InvalidOption).
+/// The field of a network: options.size, smaller at curves too short or too strongly curved for it
+/// and where options.local asks for less, growing from there at most by options.growth. A
+/// UniformSize where nothing is smaller. Throws Error(InvalidOption): options out of range; with
+/// the place where a source gives no size above 0.
 std::unique_ptr<SizeField> makeSizeField(const CurveNetwork& network, const SizeOptions& options,
                                          Execution& execution);
 

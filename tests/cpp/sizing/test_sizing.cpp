@@ -213,7 +213,7 @@ TEST(MakeSizeField, ASmallCircleGetsItsPieces)
     network.curves.push_back({makeCircleArc({5, 5}, 0.1, 0, kTurn), p, p, OperandId(0U)});
     for (const double pieces : {8.0, 24.0, 100.0}) {
         const auto field =
-            makeSizeField(network, {.size = 1, .piecesPerTurn = pieces}, execution);
+            makeSizeField(network, {.size = 1, .local = {.piecesPerTurn = pieces}}, execution);
         for (int i = 0; i < 50; ++i) {
             const Vec2 q {5 + 0.1 * std::cos(i), 5 + 0.1 * std::sin(i)};
             EXPECT_NEAR(field->size(q), 0.2 * std::numbers::pi / pieces,
@@ -221,7 +221,8 @@ TEST(MakeSizeField, ASmallCircleGetsItsPieces)
         }
     }
     const auto byChord =
-        makeSizeField(network, {.size = 1, .piecesPerTurn = 3, .chordError = 1e-4}, execution);
+        makeSizeField(network, {.size = 1, .local = {.piecesPerTurn = 3, .chordError = 1e-4}},
+                      execution);
     EXPECT_NEAR(byChord->size({5.1, 5}), std::sqrt(8e-4 * 0.1), 1e-3);
 }
 
@@ -262,8 +263,24 @@ TEST(MakeSizeField, RefusesBadOptions)
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<SizeOptions> bad {
         {.size = -1},       {.size = nan},          {.minSize = -1}, {.size = 1, .minSize = 2},
-        {.growth = 0},      {.growth = 2},          {.growth = nan},       {.piecesPerTurn = 1},
-        {.chordError = -1}, {.piecesPerTurn = nan}, {.chordError = nan},   {.minSize = nan},
+        {.growth = 0},
+        {.growth = 2},
+        {.growth = nan},
+        {.minSize = nan},
+        {.local = {.piecesPerTurn = 1}},
+        {.local = {.chordError = -1}},
+        {.local = {.piecesPerTurn = nan}},
+        {.local = {.chordError = nan}},
+        {.local = {.gap = -1}},
+        {.local = {.gap = nan}},
+        {.local = {.points = {{{0, 0}, {0.0}}}}},
+        {.local = {.points = {{{0, 0}, {nan}}}}},
+        {.local = {.points = {{{nan, 0}, {1.0}}}}},
+        {.local = {.points = {{{0, 0}, {1.0, -1.0}}}}},
+        {.local = {.points = {{{0, 0}, {1.0, 1.0, 2.0, 0.5}}}}},
+        {.local = {.points = {{{0, 0}, {1.0, 1.0, 0.5, 2.0}}}}},
+        {.local = {.curves = {{{CurveId(7U)}, {1.0}}}}},
+        {.local = {.curves = {{{CurveId(0U)}, {-1.0}}}}},
     };
     for (const SizeOptions& options : bad) {
         EXPECT_THROW(makeSizeField(network, options, execution), Error);
