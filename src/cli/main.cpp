@@ -59,7 +59,9 @@ int runProgram(int argc, char** argv)
     program.set_version_flag("--version", "tessera " TESSERA_VERSION);
     program.require_subcommand(1);
     const std::vector<std::pair<std::string, Command>> commands {
-        {"mesh", addMeshCommand(program)}, {"check", addCheckCommand(program)}};
+        {"mesh", addMeshCommand(program)},
+        {"overlay", addOverlayCommand(program)},
+        {"check", addCheckCommand(program)}};
     try {
         program.parse(argc, argv);
     }

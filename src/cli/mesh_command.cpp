@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.h"
+#include "cli/choices.h"
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/run_control.h"
@@ -15,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,35 +49,6 @@ struct MeshArguments
     std::string report;
     bool quiet = false;
 };
-
-const std::map<std::string, FillRule> kFillRules {
-    {"even-odd", FillRule::EvenOdd}, {"nonzero", FillRule::NonZero},
-    {"positive", FillRule::Positive}, {"negative", FillRule::Negative},
-    {"all", FillRule::All},           {"hull", FillRule::Hull},
-};
-const std::map<std::string, RecoveryStrategy> kStrategies {
-    {"cavity", RecoveryStrategy::Cavity},
-    {"steiner", RecoveryStrategy::Steiner},
-};
-
-/// Takes the names and nothing else: CLI11's own transformer lets the numbers behind them pass too.
-template<class Choice>
-CLI::Validator namesOnly(const std::map<std::string, Choice>& choices)
-{
-    const auto toNumber = [&choices](std::string& text) -> std::string {
-        const auto found = choices.find(text);
-        if (found == choices.end()) {
-            std::string names;
-            for (const auto& [name, choice] : choices) {
-                names += (names.empty() ? "" : ", ") + name;
-            }
-            return fmt::format("'{}' is not one of {}", text, names);
-        }
-        text = std::to_string(static_cast<int>(found->second));
-        return {};
-    };
-    return CLI::Validator(toNumber, "");
-}
 
 void addOptions(CLI::App& command, MeshArguments& a)
 {

@@ -15,6 +15,7 @@ namespace
 
 /// Set in the component number of curves that lost Role::Boundary, to keep them apart from others.
 constexpr std::uint32_t kReread = 0x80000000U;
+constexpr std::uint32_t kUnnumbered = 0xffffffffU;
 
 /// A constraint with its curve's role settled.
 struct SettledConstraint
@@ -41,6 +42,7 @@ public:
         , fill_(fill)
         , graph_(graph)
         , settled_(pslg.segments.size())
+        , number_(recovered.triangulation.points.size(), kUnnumbered)
     {}
 
     Borders run()
@@ -84,9 +86,12 @@ private:
                 order.push_back(c);
             }
         }
-        std::stable_sort(order.begin(), order.end(), [this](std::uint32_t c, std::uint32_t d) {
+        const auto less = [this](std::uint32_t c, std::uint32_t d) {
             return operandOf(c) < operandOf(d);
-        });
+        };
+        if (!std::is_sorted(order.begin(), order.end(), less)) {
+            std::stable_sort(order.begin(), order.end(), less);
+        }
         for (std::size_t i = 0; i < order.size();) {
             std::size_t j = i;
             while (j < order.size() && operandOf(order[j]) == operandOf(order[i])) {
@@ -100,34 +105,38 @@ private:
     void settleBoundary(std::span<const std::uint32_t> constraints)
     {
         // Vertices numbered from 0, so that an operand costs its own size only.
-        std::vector<std::uint32_t> vertices;
-        for (const std::uint32_t c : constraints) {
-            vertices.push_back(endsOf(c).first);
-            vertices.push_back(endsOf(c).second);
-        }
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-        const auto number = [&vertices](std::uint32_t v) {
-            return static_cast<std::uint32_t>(
-                std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
-        };
+        std::uint32_t vertexCount = 0;
         std::vector<GraphEdge> edges;
-        std::vector<std::int32_t> outMinusIn(vertices.size(), 0);
-        std::vector<std::uint8_t> isOdd(vertices.size(), 0);
+        edges.reserve(constraints.size());
+        const auto numberOf = [this, &vertexCount](std::uint32_t v) {
+            if (number_[v] == kUnnumbered) {
+                number_[v] = vertexCount++;
+            }
+            return number_[v];
+        };
         for (const std::uint32_t c : constraints) {
-            edges.push_back({number(endsOf(c).first), number(endsOf(c).second)});
-            ++outMinusIn[edges.back().a];
-            --outMinusIn[edges.back().b];
-            isOdd[edges.back().a] ^= 1U;
-            isOdd[edges.back().b] ^= 1U;
+            const auto [a, b] = endsOf(c);
+            const std::uint32_t first = numberOf(a);
+            edges.push_back({first, numberOf(b)});
+        }
+        for (const std::uint32_t c : constraints) {
+            number_[endsOf(c).first] = number_[endsOf(c).second] = kUnnumbered;
+        }
+        std::vector<std::int32_t> outMinusIn(vertexCount, 0);
+        std::vector<std::uint8_t> isOdd(vertexCount, 0);
+        for (const GraphEdge& edge : edges) {
+            ++outMinusIn[edge.a];
+            --outMinusIn[edge.b];
+            isOdd[edge.a] ^= 1U;
+            isOdd[edge.b] ^= 1U;
         }
         if (std::find(isOdd.begin(), isOdd.end(), 1) != isOdd.end()) {
-            rereadOpenBoundary(constraints, edges, vertices.size());
+            rereadOpenBoundary(constraints, edges, vertexCount);
         }
         else if (fill_ != FillRule::EvenOdd && fill_ != FillRule::Hull
                  && std::any_of(outMinusIn.begin(), outMinusIn.end(),
                                 [](std::int32_t d) { return d != 0; })) {
-            turnHeadToTail(constraints, edges, vertices.size());
+            turnHeadToTail(constraints, edges, vertexCount);
         }
     }
 
@@ -200,6 +209,7 @@ private:
 
     void collectBoundaryUses()
     {
+        uses_.reserve(map_.uses.size());
         for (std::uint32_t s = 0; s < map_.subsegments.size(); ++s) {
             for (const ConstraintUse& use : map_.usesOf(map_.subsegments[s])) {
                 const std::uint32_t c = use.constraint.value;
@@ -260,12 +270,17 @@ private:
 
     Borders joinUses()
     {
-        std::stable_sort(uses_.begin(), uses_.end(), [](const Use& p, const Use& q) {
+        const auto less = [](const Use& p, const Use& q) {
             return p.subsegment != q.subsegment ? p.subsegment < q.subsegment
                                                 : p.crossing.operand < q.crossing.operand;
-        });
+        };
+        if (!std::is_sorted(uses_.begin(), uses_.end(), less)) {
+            std::stable_sort(uses_.begin(), uses_.end(), less);
+        }
         const bool parity = fill_ == FillRule::EvenOdd || fill_ == FillRule::Hull;
-        borders_.start.assign(1, 0);
+        borders_.start.reserve(map_.subsegments.size() + 1);
+        borders_.start.push_back(0);
+        borders_.crossings.reserve(uses_.size());
         std::size_t i = 0;
         for (std::uint32_t s = 0; s < map_.subsegments.size(); ++s) {
             while (i < uses_.size() && uses_[i].subsegment == s) {
@@ -292,6 +307,7 @@ private:
     FillRule fill_;
     const SubsegmentGraph& graph_;
     std::vector<SettledConstraint> settled_;
+    std::vector<std::uint32_t> number_; ///< by vertex, within the operand that is looked at
     std::vector<Use> uses_;
     Borders borders_;
 };

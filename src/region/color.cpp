@@ -142,7 +142,7 @@ private:
         declaredHoles_.assign(network_.operands.size(), 0);
         Cover cover(fill_, network_.operands.size());
         walkFaces(faces_, borders_, cover, execution_,
-                  [this](std::uint32_t face, const Cover& here) {
+                  [this](std::uint32_t face, const Cover& here, std::uint32_t) {
                       joinFace(face, here);
                       countDeclaredHoles(face, here);
                   });
@@ -194,7 +194,7 @@ private:
         std::vector<std::uint8_t> described(map_.regions.size(), 0);
         Cover cover(fill_, network_.operands.size());
         walkFaces(faces_, borders_, cover, execution_,
-                  [this, &described](std::uint32_t face, const Cover& here) {
+                  [this, &described](std::uint32_t face, const Cover& here, std::uint32_t) {
                       const std::uint32_t r = regionOfFace_[face];
                       if (described[r] == 0) {
                           described[r] = 1;

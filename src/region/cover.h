@@ -71,8 +71,12 @@ private:
     std::vector<OperandId> covering_;
 };
 
-/// Depth-first walk over all faces from face 0, where nothing covers. Calls visit(face, cover) once
-/// for each. Borders are crossed twice for each face. Faces that no link reaches are left out.
+/// Instead of a link, for face 0.
+inline constexpr std::uint32_t kNoLink = 0xffffffffU;
+
+/// Depth-first walk over all faces from face 0, where nothing covers. Calls visit(face, cover,
+/// entry) once for each, entry being the link by which it was reached. Borders are crossed twice for
+/// each face. Faces that no link reaches are left out.
 template<class Visit>
 void walkFaces(const FaceGraph& faces, const Borders& borders, Cover& cover, Execution& execution,
                Visit visit)
@@ -89,9 +93,9 @@ void walkFaces(const FaceGraph& faces, const Borders& borders, Cover& cover, Exe
         }
     };
     std::vector<std::uint8_t> reached(faces.faceCount, 0);
-    std::vector<Step> stack {{0, 0, 0}};
+    std::vector<Step> stack {{0, kNoLink, 0}};
     reached[0] = 1;
-    visit(0U, cover);
+    visit(0U, cover, kNoLink);
     std::uint64_t count = 0;
     while (!stack.empty()) {
         Step& step = stack.back();
@@ -114,7 +118,7 @@ void walkFaces(const FaceGraph& faces, const Borders& borders, Cover& cover, Exe
         }
         reached[beyond] = 1;
         cross(link, step.face);
-        visit(beyond, cover);
+        visit(beyond, cover, link);
         stack.push_back({beyond, link, 0});
     }
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The borders of a connected set of triangles, with the set on the left, turn at each vertex
-// through the outside. Where a set passes a vertex twice, the wedges of outside between its own
-// wedges are parts of different holes (or a hole and the outer space): a path through the set from
-// one wedge to the other closes around one of them. So no loop passes a vertex twice, exactly one
-// is outer, and the inside stays in one piece.
+// A border is a half-edge of a part's triangle whose twin is in no or another part. The border that
+// follows it lies at its end, after turning through the part. Where the part has several corners at
+// one vertex, that would give loops that pass the vertex twice; there each corner is followed by the
+// next one after turning through the outside instead, so that each loop goes around one connected
+// piece of the outside: simple loops that meet at vertices only.
 #include "region/region_outlines.h"
 
 #include "predicates/predicates.h"
@@ -18,154 +18,178 @@ namespace tessera
 namespace
 {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
-
 class OutlineTracer
 {
 public:
-    OutlineTracer(const Triangulation& t, const RegionMap& map,
-                  std::span<const std::uint32_t> labelOfRegion)
-        : t_(t)
-        , map_(map)
-        , labelOfRegion_(labelOfRegion)
-        , partOf_(t.triangles.size(), kNone)
+    OutlineTracer(const Triangulation& triangulation, std::span<const std::uint32_t> partOfTriangle,
+                  std::size_t partCount)
+        : t_(triangulation)
+        , partOf_(partOfTriangle)
+        , partCount_(partCount)
     {}
 
-    std::vector<RegionOutline> run()
+    Polygons run()
     {
-        findParts();
         collectBorders();
-        std::vector<RegionOutline> outlines(labels_.size());
-        std::size_t begin = 0;
-        for (std::uint32_t part = 0; part < labels_.size(); ++part) {
-            outlines[part].label = labels_[part];
-            std::size_t end = begin;
-            while (end < borders_.size() && borders_[end].part == part) {
-                ++end;
-            }
-            outlines[part].loops = trace(part, {borders_.data() + begin, end - begin});
-            begin = end;
+        traced_.assign(4 * t_.triangles.size(), 0);
+        findManyCorners();
+        linkCorners();
+        for (std::uint32_t part = 0; part < partCount_; ++part) {
+            tracePart(part);
         }
-        std::stable_sort(
-            outlines.begin(), outlines.end(),
-            [](const RegionOutline& a, const RegionOutline& b) { return a.label < b.label; });
-        return outlines;
+        return std::move(polygons_);
     }
 
 private:
-    /// A half-edge of a part's triangle to a triangle outside the part.
-    struct Border
+    /// A border that follows another one after turning through the outside.
+    struct Link
     {
-        std::uint32_t part;
-        std::uint32_t origin;
-        HalfEdge edge;
+        HalfEdge border;
+        HalfEdge next;
+        bool operator<(const Link& other) const { return border < other.border; }
     };
-
-    std::uint32_t labelAt(std::uint32_t triangle) const
-    {
-        const RegionId region = map_.regionOfTriangle[triangle];
-        return region.valid() ? labelOfRegion_[region.index()] : kNoLabel;
-    }
-
-    void findParts()
-    {
-        std::vector<std::uint32_t> stack;
-        for (std::uint32_t seed = 0; seed < t_.triangles.size(); ++seed) {
-            const std::uint32_t label = labelAt(seed);
-            if (label == kNoLabel || partOf_[seed] != kNone) {
-                continue;
-            }
-            const auto part = static_cast<std::uint32_t>(labels_.size());
-            labels_.push_back(label);
-            partOf_[seed] = part;
-            stack.push_back(seed);
-            while (!stack.empty()) {
-                const std::uint32_t triangle = stack.back();
-                stack.pop_back();
-                for (std::uint32_t i = 0; i < 3; ++i) {
-                    const std::uint32_t next =
-                        Topology::triangleOf(t_.twin(Topology::halfEdge(triangle, i)));
-                    if (partOf_[next] == kNone && labelAt(next) == label) {
-                        partOf_[next] = part;
-                        stack.push_back(next);
-                    }
-                }
-            }
-        }
-    }
 
     bool isBorder(HalfEdge h) const
     {
         return partOf_[Topology::triangleOf(h)] != partOf_[Topology::triangleOf(t_.twin(h))];
     }
 
+    /// By part, a counting sort.
     void collectBorders()
     {
+        start_.assign(partCount_ + 1, 0);
+        std::vector<HalfEdge> all;
         for (std::uint32_t triangle = 0; triangle < t_.triangles.size(); ++triangle) {
-            if (partOf_[triangle] == kNone) {
+            const std::uint32_t part = partOf_[triangle];
+            if (part == kNoPart) {
                 continue;
             }
             for (std::uint32_t i = 0; i < 3; ++i) {
                 const HalfEdge h = Topology::halfEdge(triangle, i);
                 if (isBorder(h)) {
-                    borders_.push_back({partOf_[triangle], t_.origin(h), h});
+                    all.push_back(h);
+                    ++start_[part + 1];
                 }
             }
         }
-        std::sort(borders_.begin(), borders_.end(), [](const Border& a, const Border& b) {
-            return a.part != b.part ? a.part < b.part
-                                    : std::pair(a.origin, a.edge) < std::pair(b.origin, b.edge);
-        });
+        for (std::size_t p = 0; p < partCount_; ++p) {
+            start_[p + 1] += start_[p];
+        }
+        borders_.resize(all.size());
+        std::vector<std::uint32_t> fill(start_.begin(), start_.end() - 1);
+        for (const HalfEdge h : all) {
+            borders_[fill[partOf_[Topology::triangleOf(h)]]++] = h;
+        }
     }
 
-    std::vector<std::vector<std::uint32_t>> trace(std::uint32_t part,
-                                                  std::span<const Border> borders) const
+    /// A part has as many corners at a vertex as borders that leave it.
+    void findManyCorners()
     {
-        std::vector<std::vector<std::uint32_t>> loops;
-        std::vector<std::uint8_t> traced(borders.size(), 0);
-        for (std::size_t first = 0; first < borders.size(); ++first) {
-            if (traced[first] != 0) {
-                continue;
-            }
-            std::vector<std::uint32_t> loop;
-            for (std::size_t i = first; traced[i] == 0; i = next(part, borders, borders[i].edge)) {
-                traced[i] = 1;
-                loop.push_back(borders[i].origin);
-            }
-            if (!loops.empty() && isCounterClockwise(loop)) {
-                loops.insert(loops.begin(), std::move(loop));
-            }
-            else {
-                loops.push_back(std::move(loop));
+        std::vector<std::uint32_t> lastPart(t_.points.size(), kNoPart);
+        hasManyCorners_.assign(t_.points.size(), 0);
+        for (std::uint32_t part = 0; part < partCount_; ++part) {
+            for (std::uint32_t i = start_[part]; i < start_[part + 1]; ++i) {
+                const std::uint32_t vertex = t_.origin(borders_[i]);
+                if (lastPart[vertex] == part && hasManyCorners_[vertex] == 0) {
+                    hasManyCorners_[vertex] = 1;
+                    manyCorners_.push_back(vertex);
+                }
+                lastPart[vertex] = part;
             }
         }
-        return loops;
     }
 
-    /// The border that follows h: the only one out of its end, or the first one after turning
-    /// counter-clockwise from h through the outside.
-    std::size_t next(std::uint32_t part, std::span<const Border> borders, HalfEdge h) const
+    /// One turn around each vertex for all parts that have corners there.
+    void linkCorners()
     {
-        const std::uint32_t vertex = t_.destination(h);
-        const auto first = std::lower_bound(
-            borders.begin(), borders.end(), vertex,
-            [](const Border& border, std::uint32_t v) { return border.origin < v; });
-        const auto index = static_cast<std::size_t>(first - borders.begin());
-        if (index + 1 == borders.size() || borders[index + 1].origin != vertex) {
-            return index;
+        std::vector<HalfEdge> arrived(manyCorners_.empty() ? 0 : partCount_, Topology::kDead);
+        std::vector<HalfEdge> firstLeaving(arrived.size(), Topology::kDead);
+        std::vector<std::uint32_t> touched;
+        for (const std::uint32_t vertex : manyCorners_) {
+            touched.clear();
+            t_.forEachAround(vertex, [&](HalfEdge out) {
+                const HalfEdge in = t_.twin(out);
+                const std::uint32_t ended = partOf_[Topology::triangleOf(in)];
+                const std::uint32_t begun = partOf_[Topology::triangleOf(out)];
+                if (ended == begun) {
+                    return;
+                }
+                if (ended != kNoPart) {
+                    arrived[ended] = in;
+                    touched.push_back(ended);
+                }
+                if (begun != kNoPart) {
+                    if (arrived[begun] != Topology::kDead) {
+                        links_.push_back({arrived[begun], out});
+                        arrived[begun] = Topology::kDead;
+                    }
+                    else {
+                        firstLeaving[begun] = out;
+                    }
+                }
+            });
+            for (const std::uint32_t part : touched) {
+                if (arrived[part] != Topology::kDead) {
+                    links_.push_back({arrived[part], firstLeaving[part]});
+                    arrived[part] = Topology::kDead;
+                }
+            }
         }
-        HalfEdge out = t_.nextAround(t_.twin(h));
-        while (partOf_[Topology::triangleOf(out)] != part) {
-            out = t_.nextAround(out);
-        }
-        std::size_t i = index;
-        while (borders[i].edge != out) {
-            ++i;
-        }
-        return i;
+        std::sort(links_.begin(), links_.end());
     }
 
-    bool isCounterClockwise(const std::vector<std::uint32_t>& loop) const
+    HalfEdge next(HalfEdge h) const
+    {
+        if (hasManyCorners_[t_.destination(h)] != 0) {
+            return std::lower_bound(links_.begin(), links_.end(), Link {h, 0})->next;
+        }
+        HalfEdge out = Topology::next(h);
+        while (!isBorder(out)) {
+            out = Topology::next(t_.twin(out));
+        }
+        return out;
+    }
+
+    /// Adds the part's loops, the counter-clockwise one first.
+    void tracePart(std::uint32_t part)
+    {
+        traceLoops(part);
+        loops_.clear();
+        std::size_t outer = 0;
+        std::size_t begin = 0;
+        for (const std::size_t size : loopSizes_) {
+            loops_.emplace_back(loopVertices_.data() + begin, size);
+            begin += size;
+            if (loopSizes_.size() > 1 && isCounterClockwise(loops_.back())) {
+                outer = loops_.size() - 1;
+            }
+        }
+        std::swap(loops_.front(), loops_[outer]);
+        for (const auto& loop : loops_) {
+            polygons_.vertices.insert(polygons_.vertices.end(), loop.begin(), loop.end());
+            polygons_.loopStart.push_back(static_cast<std::uint32_t>(polygons_.vertices.size()));
+        }
+        polygons_.polygonStart.push_back(
+            static_cast<std::uint32_t>(polygons_.loopStart.size() - 1));
+    }
+
+    void traceLoops(std::uint32_t part)
+    {
+        loopSizes_.clear();
+        loopVertices_.clear();
+        for (std::uint32_t i = start_[part]; i < start_[part + 1]; ++i) {
+            const std::size_t begin = loopVertices_.size();
+            for (HalfEdge h = borders_[i]; traced_[h] == 0; h = next(h)) {
+                traced_[h] = 1;
+                loopVertices_.push_back(t_.origin(h));
+            }
+            if (loopVertices_.size() > begin) {
+                loopSizes_.push_back(loopVertices_.size() - begin);
+            }
+        }
+    }
+
+    bool isCounterClockwise(std::span<const std::uint32_t> loop) const
     {
         std::size_t smallest = 0;
         for (std::size_t i = 1; i < loop.size(); ++i) {
@@ -181,19 +205,26 @@ private:
     }
 
     const Triangulation& t_;
-    const RegionMap& map_;
-    std::span<const std::uint32_t> labelOfRegion_;
-    std::vector<std::uint32_t> partOf_; ///< by triangle
-    std::vector<std::uint32_t> labels_; ///< by part
-    std::vector<Border> borders_;
+    std::span<const std::uint32_t> partOf_;
+    std::size_t partCount_;
+    std::vector<std::uint32_t> start_; ///< of a part's borders
+    std::vector<HalfEdge> borders_;
+    std::vector<std::uint8_t> traced_; ///< by half-edge
+    std::vector<std::uint8_t> hasManyCorners_; ///< by vertex
+    std::vector<std::uint32_t> manyCorners_;
+    std::vector<Link> links_; ///< by border
+    std::vector<std::uint32_t> loopVertices_; ///< of the part under way, as the next two
+    std::vector<std::size_t> loopSizes_;
+    std::vector<std::span<const std::uint32_t>> loops_;
+    Polygons polygons_;
 };
 
 } // namespace
 
-std::vector<RegionOutline> regionOutlines(const RecoveryResult& recovered, const RegionMap& map,
-                                          std::span<const std::uint32_t> labelOfRegion)
+Polygons partOutlines(const Triangulation& triangulation,
+                      std::span<const std::uint32_t> partOfTriangle, std::size_t partCount)
 {
-    return OutlineTracer(recovered.triangulation, map, labelOfRegion).run();
+    return OutlineTracer(triangulation, partOfTriangle, partCount).run();
 }
 
 } // namespace tessera

@@ -42,56 +42,93 @@ SubsegmentGraph::SubsegmentGraph(const RecoveryResult& recovered)
     : recovered_(recovered)
 {
     const auto& subsegments = recovered.constraints.subsegments;
-    const Triangulation& t = recovered.triangulation;
     halfEdge_.assign(subsegments.size(), Topology::kDead);
+    firstAt_.assign(recovered.triangulation.points.size() + 1, 0);
+    for (const Subsegment& s : subsegments) {
+        ++firstAt_[s.a + 1];
+    }
+    for (std::size_t v = 1; v < firstAt_.size(); ++v) {
+        firstAt_[v] += firstAt_[v - 1];
+    }
+    findHalfEdges();
+}
+
+/// Subsegments are sorted by a, then b.
+void SubsegmentGraph::findHalfEdges()
+{
+    const auto& subsegments = recovered_.constraints.subsegments;
+    const Triangulation& t = recovered_.triangulation;
+    for (std::uint32_t triangle = 0; triangle < t.triangles.size(); ++triangle) {
+        if (t.isDead(triangle)) {
+            continue;
+        }
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const HalfEdge h = Topology::halfEdge(triangle, i);
+            if (!t.isConstrained(h) || t.origin(h) > t.destination(h)) {
+                continue;
+            }
+            const auto begin = subsegments.begin() + firstAt_[t.origin(h)];
+            const auto end = subsegments.begin() + firstAt_[t.origin(h) + 1];
+            const auto found = std::lower_bound(
+                begin, end, t.destination(h),
+                [](const Subsegment& s, std::uint32_t b) { return s.b < b; });
+            halfEdge_[static_cast<std::size_t>(found - subsegments.begin())] = h;
+        }
+    }
+}
+
+void SubsegmentGraph::rankAroundVertices() const
+{
+    const auto& subsegments = recovered_.constraints.subsegments;
+    const Triangulation& t = recovered_.triangulation;
+    if (rankAtA_.size() == subsegments.size()) {
+        return;
+    }
     rankAtA_.assign(subsegments.size(), 0);
     rankAtB_.assign(subsegments.size(), 0);
     if (t.triangles.empty()) {
         return;
     }
-    // The subsegments at each vertex, then one turn around each vertex that has some.
+    // The subsegments that end at each vertex, then one turn around each vertex that has some.
     const std::size_t vertexCount = t.points.size();
     std::vector<std::uint32_t> start(vertexCount + 1, 0);
     for (const Subsegment& s : subsegments) {
-        ++start[s.a + 1];
         ++start[s.b + 1];
     }
     for (std::size_t v = 0; v < vertexCount; ++v) {
         start[v + 1] += start[v];
     }
-    std::vector<std::uint32_t> at(start.back());
+    std::vector<std::uint32_t> endingAt(start.back());
     std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
     for (std::uint32_t s = 0; s < subsegments.size(); ++s) {
-        at[fill[subsegments[s].a]++] = s;
-        at[fill[subsegments[s].b]++] = s;
+        endingAt[fill[subsegments[s].b]++] = s;
     }
     std::vector<std::uint32_t> subsegmentTo(vertexCount, kNone);
     for (std::uint32_t v = 0; v < vertexCount; ++v) {
-        if (start[v] == start[v + 1] || t.incident[v] == Topology::kDead) {
+        const bool isolated = firstAt_[v] == firstAt_[v + 1] && start[v] == start[v + 1];
+        if (isolated || t.incident[v] == Topology::kDead) {
             continue;
         }
-        for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
-            const Subsegment& s = subsegments[at[i]];
-            subsegmentTo[s.a == v ? s.b : s.a] = at[i];
-        }
+        const auto forEachAt = [&](auto f) {
+            for (std::uint32_t s = firstAt_[v]; s < firstAt_[v + 1]; ++s) {
+                f(subsegments[s].b, s);
+            }
+            for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
+                f(subsegments[endingAt[i]].a, endingAt[i]);
+            }
+        };
+        forEachAt([&](std::uint32_t w, std::uint32_t s) { subsegmentTo[w] = s; });
         const HalfEdge first = firstAround(t, v);
         HalfEdge h = first;
         std::uint32_t rank = 0;
         do {
             const std::uint32_t s = subsegmentTo[t.destination(h)];
-            if (s != kNone && subsegments[s].a == v) {
-                halfEdge_[s] = h;
-                rankAtA_[s] = rank++;
-            }
-            else if (s != kNone) {
-                rankAtB_[s] = rank++;
+            if (s != kNone) {
+                (subsegments[s].a == v ? rankAtA_ : rankAtB_)[s] = rank++;
             }
             h = t.nextAround(h);
         } while (h != first);
-        for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
-            const Subsegment& s = subsegments[at[i]];
-            subsegmentTo[s.a == v ? s.b : s.a] = kNone;
-        }
+        forEachAt([&](std::uint32_t w, std::uint32_t) { subsegmentTo[w] = kNone; });
     }
 }
 
@@ -112,6 +149,7 @@ class SubsetTracer
 public:
     SubsetTracer(const SubsegmentGraph& graph, std::span<const std::uint32_t> subset)
     {
+        graph.rankAroundVertices();
         spokes_.reserve(2 * subset.size());
         for (std::uint32_t i = 0; i < subset.size(); ++i) {
             const Subsegment& s = graph.recovered_.constraints.subsegments[subset[i]];

@@ -19,7 +19,8 @@ struct DirectedSubsegment
 
 /// The subsegments as a planar graph: the mesh edge of each, and how they turn around their
 /// vertices. Any subset of them can be traced without looking at the other edges of the mesh.
-/// Building: O(triangles around the vertices of subsegments).
+/// Building: one pass over the triangles; the order around the vertices is found when the first
+/// contour is asked for, in O(triangles around the vertices of subsegments).
 class SubsegmentGraph
 {
 public:
@@ -45,12 +46,16 @@ public:
 private:
     friend class SubsetTracer;
 
+    void findHalfEdges();
+    void rankAroundVertices() const;
+
     const RecoveryResult& recovered_;
+    std::vector<std::uint32_t> firstAt_; ///< by vertex: the first subsegment with that a, one more
     std::vector<HalfEdge> halfEdge_;
     /// Place of each end in the counter-clockwise order around its vertex. It starts so that the
     /// neighbors lexicographically greater than the vertex come in one run, by angle.
-    std::vector<std::uint32_t> rankAtA_;
-    std::vector<std::uint32_t> rankAtB_;
+    mutable std::vector<std::uint32_t> rankAtA_;
+    mutable std::vector<std::uint32_t> rankAtB_;
 };
 
 } // namespace tessera

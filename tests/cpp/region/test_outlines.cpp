@@ -14,6 +14,58 @@ namespace tessera
 namespace
 {
 
+constexpr std::uint32_t kNoLabel = 0xffffffffU;
+
+/// One polygon of partOutlines(), with the label of its regions.
+struct RegionOutline
+{
+    std::uint32_t label;
+    std::vector<std::vector<std::uint32_t>> loops;
+};
+
+/// The polygons of the connected sets of triangles whose regions have the same label.
+std::vector<RegionOutline> regionOutlines(const RecoveryResult& recovered, const RegionMap& map,
+                                          const std::vector<std::uint32_t>& labelOfRegion)
+{
+    const Triangulation& t = recovered.triangulation;
+    const auto labelAt = [&](std::uint32_t triangle) {
+        const RegionId region = map.regionOfTriangle[triangle];
+        return region.valid() ? labelOfRegion[region.index()] : kNoLabel;
+    };
+    std::vector<std::uint32_t> partOf(t.triangles.size(), kNoPart);
+    std::vector<RegionOutline> outlines;
+    for (std::uint32_t seed = 0; seed < t.triangles.size(); ++seed) {
+        if (labelAt(seed) == kNoLabel || partOf[seed] != kNoPart) {
+            continue;
+        }
+        const auto part = static_cast<std::uint32_t>(outlines.size());
+        std::vector<std::uint32_t> stack {seed};
+        partOf[seed] = part;
+        outlines.push_back({labelAt(seed), {}});
+        while (!stack.empty()) {
+            const std::uint32_t triangle = stack.back();
+            stack.pop_back();
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const std::uint32_t next =
+                    Topology::triangleOf(t.twin(Topology::halfEdge(triangle, i)));
+                if (partOf[next] == kNoPart && labelAt(next) == labelAt(seed)) {
+                    partOf[next] = part;
+                    stack.push_back(next);
+                }
+            }
+        }
+    }
+    const Polygons polygons = partOutlines(t, partOf, outlines.size());
+    EXPECT_EQ(polygons.size(), outlines.size());
+    for (std::size_t p = 0; p < polygons.size(); ++p) {
+        for (std::size_t i = 0; i < polygons.loopCount(p); ++i) {
+            const auto loop = polygons.loop(p, i);
+            outlines[p].loops.emplace_back(loop.begin(), loop.end());
+        }
+    }
+    return outlines;
+}
+
 std::vector<std::uint32_t> oneLabelForInside(const RegionMap& map)
 {
     std::vector<std::uint32_t> labels;

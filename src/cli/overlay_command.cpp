@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "base/error.h"
+#include "cli/choices.h"
+#include "cli/commands.h"
+#include "cli/inputs.h"
+#include "cli/run_control.h"
+#include "imprint/overlay.h"
+#include "imprint/overlay_mesh.h"
+#include "io/atomic_file.h"
+#include "io/overlay_files.h"
+#include "io/overlay_report.h"
+#include "io/read_network.h"
+#include "vtk/mesh_file.h"
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace tessera::cli
+{
+
+namespace
+{
+
+struct OverlayArguments
+{
+    std::vector<std::string> inputs;
+    std::string output;
+    BooleanOperation operation = BooleanOperation::Union;
+    Priority priority = Priority::None;
+    FillRule fill = FillRule::EvenOdd;
+    RecoveryStrategy recovery = RecoveryStrategy::Cavity;
+    std::optional<double> weld;
+    std::optional<double> timeLimit;
+    std::string report;
+    bool quiet = false;
+};
+
+const std::map<std::string, BooleanOperation> kOperations {
+    {"union", BooleanOperation::Union},
+    {"intersection", BooleanOperation::Intersection},
+    {"difference", BooleanOperation::Difference},
+    {"xor", BooleanOperation::SymmetricDifference},
+    {"cells", BooleanOperation::Cells},
+};
+const std::map<std::string, Priority> kPriorities {
+    {"first", Priority::First},
+    {"last", Priority::Last},
+};
+
+void addOptions(CLI::App& command, OverlayArguments& a)
+{
+    command.add_option("INPUT", a.inputs,
+                       ".poly, .wkt, .brep or .step files; their operands in order")
+        ->required();
+    command
+        .add_option("-o,--output", a.output,
+                    "Result as polygons (.wkt, .poly) or triangles: " + meshExtensions())
+        ->required();
+    command
+        .add_option("--op", a.operation,
+                    "union (default), intersection, difference (the first operand minus the "
+                    "others), xor, or cells: every cell of the arrangement on a line of its own; "
+                    "the report lists the operands that cover it, numbered from 1")
+        ->transform(namesOnly(kOperations))
+        ->type_name("OPERATION");
+    command
+        .add_option("--priority", a.priority,
+                    "first or last: what several operands cover belongs to the first or last of "
+                    "them; a line for each operand")
+        ->transform(namesOnly(kPriorities))
+        ->type_name("WHICH");
+    command
+        .add_option("--fill", a.fill,
+                    "What is inside an operand: even-odd (default), nonzero, positive, negative "
+                    "or all (every bounded face)")
+        ->transform(namesOnly(kFillRules))
+        ->type_name("RULE");
+    command.add_option("--weld", a.weld,
+                       "End points nearer than this are one; default: 0, for CAD its tolerance");
+    command
+        .add_option("--recovery", a.recovery,
+                    "How boundaries are recovered: cavity (default) or steiner")
+        ->transform(namesOnly(kStrategies))
+        ->type_name("STRATEGY");
+    command.add_option("--time-limit", a.timeLimit, "Seconds after which to give up");
+    command.add_option("--report", a.report, "File for the report, JSON");
+    command.add_flag("--quiet", a.quiet, "Print nothing but errors");
+}
+
+void validate(const OverlayArguments& a)
+{
+    if (a.weld && !(*a.weld >= 0.0 && std::isfinite(*a.weld))) {
+        throw Error(ErrorKind::InvalidOption,
+                    fmt::format("--weld is {}; it must be a length of 0 or more.", *a.weld));
+    }
+    if (a.timeLimit && !(*a.timeLimit > 0.0 && std::isfinite(*a.timeLimit))) {
+        throw Error(ErrorKind::InvalidOption,
+                    fmt::format("--time-limit is {}; it must be greater than 0.", *a.timeLimit));
+    }
+}
+
+void writeResult(const OverlayResult& result, const OverlayArguments& a)
+{
+    const std::string extension = extensionOf(a.output);
+    if (extension != ".wkt" && extension != ".poly") {
+        writeMesh(meshOf(result), a.output, &result.input);
+        return;
+    }
+    AtomicFile file(a.output);
+    file.write(extension == ".wkt" ? formatWkt(result, a.operation) : formatPoly(result));
+    file.commit();
+}
+
+int runOverlay(const OverlayArguments& a)
+{
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    const auto elapsed = [begin] {
+        return std::chrono::duration<double>(Clock::now() - begin).count();
+    };
+    validate(a);
+    Execution execution;
+    if (a.timeLimit) {
+        execution.setTimeLimit(*a.timeLimit);
+    }
+    const RunControl control(execution, a.quiet);
+    requireWritable(a.output);
+    std::optional<AtomicFile> reportFile;
+    if (!a.report.empty()) {
+        reportFile.emplace(a.report);
+    }
+
+    Inputs inputs = readInputs(a.inputs, {});
+    execution.checkpoint();
+    OverlayOptions options;
+    options.operation = a.operation;
+    options.priority = a.priority;
+    options.fill = a.fill;
+    options.recovery = a.recovery;
+    options.weld = a.weld.value_or(inputs.defaultWeld);
+    const double read = elapsed();
+    OverlayResult result = overlayNetwork(std::move(inputs.network), options, execution);
+    const double overlaid = elapsed();
+    execution.checkpoint();
+    writeResult(result, a);
+
+    StageSeconds& seconds = result.report.seconds;
+    seconds.read = read;
+    seconds.total = elapsed();
+    seconds.write = seconds.total - overlaid;
+    if (reportFile) {
+        reportFile->write(formatReport(result, a.operation));
+        reportFile->commit();
+    }
+    if (!a.quiet) {
+        for (const std::string& message : result.report.messages) {
+            fmt::print("{}\n", message);
+        }
+        const std::size_t polygons = result.polygons.size();
+        fmt::print("{}: {} polygon{}, area {:.6g}, {} crossings, {:.2f} s\n", a.output, polygons,
+                   polygons == 1 ? "" : "s", result.report.area,
+                   result.report.recovery.crossings, seconds.total);
+    }
+    return kDone;
+}
+
+} // namespace
+
+Command addOverlayCommand(CLI::App& program)
+{
+    CLI::App* command = program.add_subcommand(
+        "overlay", "Boolean operations on any number of shapes, however they cross and overlap.");
+    const auto arguments = std::make_shared<OverlayArguments>();
+    addOptions(*command, *arguments);
+    command->callback([arguments] {
+        const std::string extension = extensionOf(arguments->output);
+        if (extension != ".wkt" && !isMeshExtension(extension)) {
+            throw CLI::ValidationError("-o", fmt::format("'{}' should end in .wkt, {}",
+                                                         arguments->output, meshExtensions()));
+        }
+    });
+    return [arguments] { return runOverlay(*arguments); };
+}
+
+} // namespace tessera::cli

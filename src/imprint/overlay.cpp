@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+//
+// The pipeline stopped after the colors. Straight input needs neither arranging nor sampling: its
+// curves are the constraints, and boundary recovery finds their crossings.
+#include "imprint/overlay.h"
+
+#include "arrange/arrange.h"
+#include "base/box2.h"
+#include "curve/network_check.h"
+#include "sample/sample.h"
+#include "sizing/uniform_size.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace tessera
+{
+
+namespace
+{
+
+constexpr double kDefaultChordError = 1e-5; ///< of the bounding box's diagonal
+
+bool isStraight(const CurveNetwork& network)
+{
+    return std::all_of(network.curves.begin(), network.curves.end(), [](const NetworkCurve& curve) {
+        return curve.geometry == nullptr && curve.role != Role::Chain;
+    });
+}
+
+class Overlay
+{
+public:
+    Overlay(CurveNetwork network, const OverlayOptions& options, Execution& execution)
+        : options_(options)
+        , execution_(execution)
+    {
+        result_.input = std::move(network);
+    }
+
+    OverlayResult run()
+    {
+        arrangeStage();
+        triangulateStage();
+        recoverStage();
+        colorStage();
+        outlineStage();
+        result_.report.seconds.total = since(begin_);
+        return std::move(result_);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    static double since(Clock::time_point time)
+    {
+        return std::chrono::duration<double>(Clock::now() - time).count();
+    }
+
+    void lap(double& stage)
+    {
+        stage += since(last_);
+        last_ = Clock::now();
+    }
+
+    void arrangeStage()
+    {
+        execution_.beginStage("arrange", 0.0, 0.1);
+        const CurveNetwork& network = result_.input;
+        OverlayReport& report = result_.report;
+        report.inputPoints = network.points.size();
+        report.inputCurves = network.curves.size();
+        report.inputSegments = static_cast<std::size_t>(
+            std::count_if(network.curves.begin(), network.curves.end(),
+                          [](const NetworkCurve& curve) { return curve.geometry == nullptr; }));
+        report.inputOperands = network.operands.size();
+        report.weld = options_.weld;
+        if (options_.weld == 0.0 && isStraight(network)) {
+            requireValid(network);
+            takeSegments();
+            firstCrossing_ = network.points.size();
+            lap(report.seconds.arrange);
+            return;
+        }
+        ArrangeOptions arrangeOptions;
+        arrangeOptions.weld = options_.weld;
+        arrangeOptions.recovery = options_.recovery;
+        ArrangeReport arranged;
+        result_.arranged = arrange(network, arrangeOptions, arranged, execution_);
+        firstCrossing_ = arranged.firstCrossing;
+        result_.parent = std::move(arranged.parent);
+        report.recovery = arranged.crossed;
+        report.welded = arranged.welded;
+        report.messages = std::move(arranged.messages);
+        lap(report.seconds.arrange);
+        sampleStage();
+    }
+
+    void takeSegments()
+    {
+        const CurveNetwork& network = result_.input;
+        Pslg& pslg = result_.pslg;
+        pslg.points = network.points;
+        pslg.segments.reserve(network.curves.size());
+        for (std::size_t c = 0; c < network.curves.size(); ++c) {
+            const NetworkCurve& curve = network.curves[c];
+            if (curve.role != Role::Ignored) {
+                pslg.segments.push_back({curve.start, curve.end, CurveId(c), 0.0, 1.0});
+            }
+        }
+    }
+
+    void sampleStage()
+    {
+        execution_.beginStage("sample", 0.1, 0.2);
+        Box2 box;
+        for (const Vec2 p : result_.arranged->points) {
+            box.add(p);
+        }
+        const double diagonal = box.diagonal() > 0.0 ? box.diagonal() : 1.0;
+        SampleOptions sampleOptions;
+        sampleOptions.straightSegments = false;
+        sampleOptions.chordError =
+            options_.chordError > 0.0 ? options_.chordError : kDefaultChordError * diagonal;
+        result_.pslg = sample(*result_.arranged, UniformSize(diagonal), sampleOptions, execution_);
+        lap(result_.report.seconds.sample);
+    }
+
+    void triangulateStage()
+    {
+        execution_.beginStage("triangulate", 0.2, 0.4);
+        Box2 box;
+        for (const Vec2 p : result_.pslg.points) {
+            box.add(p);
+        }
+        result_.rectangle = makeInitialRectangle(box);
+        delaunay_ = triangulate(result_.pslg.points, execution_);
+        lap(result_.report.seconds.triangulate);
+    }
+
+    void recoverStage()
+    {
+        execution_.beginStage("recover", 0.4, 0.7);
+        std::vector<ConstraintEnds> ends;
+        ends.reserve(result_.pslg.segments.size());
+        for (const PslgSegment& segment : result_.pslg.segments) {
+            ends.push_back({delaunay_.vertexOfPoint[segment.a.index()],
+                            delaunay_.vertexOfPoint[segment.b.index()]});
+        }
+        result_.recovered = recoverBoundaries(std::move(delaunay_.triangulation), ends,
+                                              options_.recovery, execution_);
+        addRecovery(result_.recovered.report);
+        noteOrigins();
+        lap(result_.report.seconds.recover);
+    }
+
+    void noteOrigins()
+    {
+        std::vector<VertexOrigin>& origin = result_.origin;
+        origin.assign(result_.recovered.triangulation.points.size(), VertexOrigin::CurveSample);
+        for (std::size_t p = result_.network().points.size(); p-- > 0;) {
+            origin[result_.recovered.vertexMap[delaunay_.vertexOfPoint[p]]] =
+                p < firstCrossing_ ? VertexOrigin::Input : VertexOrigin::Crossing;
+        }
+        std::fill(origin.begin() + result_.recovered.firstCrossing, origin.end(),
+                  VertexOrigin::Crossing);
+    }
+
+    /// Crossings of curves were counted by arrange, those of straight pieces now.
+    void addRecovery(const RecoveryReport& found)
+    {
+        RecoveryReport& sum = result_.report.recovery;
+        sum.crossings += found.crossings;
+        sum.touches += found.touches;
+        sum.overlaps = found.overlaps;
+        sum.steinerInserted += found.steinerInserted;
+        sum.steinerRemoved += found.steinerRemoved;
+        sum.maxDisplacement = std::max(sum.maxDisplacement, found.maxDisplacement);
+        sum.snapPixel = std::max(sum.snapPixel, found.snapPixel);
+    }
+
+    void colorStage()
+    {
+        execution_.beginStage("color", 0.7, 0.9);
+        const BooleanOptions boolean {options_.operation, options_.priority, options_.fill};
+        result_.parts = colorBoolean(result_.recovered, result_.network(), result_.pslg, boolean,
+                                     execution_);
+        OverlayReport& report = result_.report;
+        report.messages.insert(report.messages.end(), result_.parts.messages.begin(),
+                               result_.parts.messages.end());
+        for (const BooleanPart& part : result_.parts.parts) {
+            report.area += part.area;
+        }
+        if (result_.input.operands.size() == 2) {
+            report.theta = thetaAreas();
+        }
+        lap(report.seconds.color);
+    }
+
+    ThetaAreas thetaAreas() const
+    {
+        const Triangulation& t = result_.recovered.triangulation;
+        double area[4] = {};
+        for (std::uint32_t i = 0; i < t.triangles.size(); ++i) {
+            if (t.isFinite(i)) {
+                const auto& v = t.triangles[i].v;
+                area[static_cast<std::size_t>(result_.parts.theta[i])] +=
+                    0.5 * cross(t.points[v[1]] - t.points[v[0]], t.points[v[2]] - t.points[v[0]]);
+            }
+        }
+        const Vec2 extent = result_.rectangle.corner[2] - result_.rectangle.corner[0];
+        const auto of = [&area](Theta theta) { return area[static_cast<std::size_t>(theta)]; };
+        ThetaAreas areas {of(Theta::O), of(Theta::T), of(Theta::S), 0.0};
+        areas.e = extent.x * extent.y - areas.o - areas.t - areas.s;
+        return areas;
+    }
+
+    void outlineStage()
+    {
+        execution_.beginStage("extract", 0.9, 1.0);
+        result_.polygons = partOutlines(result_.recovered.triangulation,
+                                        result_.parts.partOfTriangle, result_.parts.parts.size());
+        lap(result_.report.seconds.extract);
+    }
+
+    OverlayOptions options_;
+    Execution& execution_;
+    Clock::time_point begin_ = Clock::now();
+    Clock::time_point last_ = begin_;
+    std::size_t firstCrossing_ = 0; ///< among the points of the arranged network
+    DelaunayResult delaunay_;
+    OverlayResult result_;
+};
+
+} // namespace
+
+std::vector<CurveId> OverlayResult::curvesOn(std::uint32_t a, std::uint32_t b) const
+{
+    const auto& subsegments = recovered.constraints.subsegments; // sorted by a, then b
+    const std::pair ends(std::min(a, b), std::max(a, b));
+    const auto found = std::lower_bound(
+        subsegments.begin(), subsegments.end(), ends,
+        [](const Subsegment& s, const auto& wanted) { return std::pair(s.a, s.b) < wanted; });
+    std::vector<CurveId> curves;
+    if (found == subsegments.end() || std::pair(found->a, found->b) != ends) {
+        return curves;
+    }
+    for (const ConstraintUse& use : recovered.constraints.usesOf(*found)) {
+        curves.push_back(inputCurveOf(use.constraint));
+    }
+    std::sort(curves.begin(), curves.end());
+    curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
+    return curves;
+}
+
+CurvesThroughVertices::CurvesThroughVertices(const OverlayResult& result)
+{
+    const std::size_t vertexCount = result.recovered.triangulation.points.size();
+    std::vector<std::pair<std::uint32_t, CurveId>> pairs;
+    for (std::size_t c = 0; c < result.pslg.segments.size(); ++c) {
+        const CurveId curve = result.inputCurveOf(ConstraintId(c));
+        for (const std::uint32_t v : result.recovered.constraints.chainOf(ConstraintId(c))) {
+            pairs.emplace_back(v, curve);
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    start_.assign(vertexCount + 1, 0);
+    curves_.reserve(pairs.size());
+    for (const auto& [v, curve] : pairs) {
+        ++start_[v + 1];
+        curves_.push_back(curve);
+    }
+    for (std::size_t v = 0; v < vertexCount; ++v) {
+        start_[v + 1] += start_[v];
+    }
+}
+
+OverlayResult overlayNetwork(CurveNetwork network, const OverlayOptions& options,
+                             Execution& execution)
+{
+    return Overlay(std::move(network), options, execution).run();
+}
+
+} // namespace tessera
