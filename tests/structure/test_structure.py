@@ -19,7 +19,7 @@ def module_graph():
 
 
 USES = module_graph()
-FOREIGN_ALLOWED = {"io", "occt", "vtk", "python", "cli"}
+FOREIGN_ALLOWED = {"io", "expression", "occt", "vtk", "python", "cli"}
 PEERS_FOR_TESTS_ONLY = re.compile(r"\b(CGAL|geos|geos_c|gmsh|triangle)\b", re.IGNORECASE)
 
 STANDARD_HEADERS = set(
