@@ -124,6 +124,9 @@ private:
         const double reachA = 64.0 * near_ / std::max(speedAt(s.curveA, s.a1), near_);
         const double reachB = 64.0 * near_ / std::max(speedAt(s.curveB, s.b1), near_);
         const double shorterB = std::min(std::abs(next.b1 - next.b0), std::abs(s.b1 - s.b0));
+        if ((next.b1 > next.b0) != (s.b1 > s.b0) && shorterB > reachB) {
+            return false; // one of the curves turns back
+        }
         return next.a0 <= s.a1 + reachA && std::abs(next.b0 - s.b1) <= reachB + shorterB;
     }
 

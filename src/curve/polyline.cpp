@@ -20,6 +20,11 @@ PolylineCurve::PolylineCurve(std::vector<Vec2> points)
                         {{p}});
         }
     }
+    // A piece without length has no tangent.
+    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    if (points_.size() < 2) {
+        points_.push_back(points_.front());
+    }
 }
 
 std::size_t PolylineCurve::pieceAt(double t) const

@@ -12,7 +12,7 @@ namespace tessera
 {
 
 /// Straight pieces between points as one curve; piece i covers the parameters [i, i + 1]. Its inner
-/// points are breaks.
+/// points are breaks. A point that repeats the one before is taken once.
 class PolylineCurve final: public Curve
 {
 public:

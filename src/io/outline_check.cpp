@@ -202,7 +202,8 @@ std::vector<OutlineProblem> findHangingNodes(std::span<const Vec2> points,
     std::ranges::sort(byStart);
     std::vector<OutlineProblem> problems;
     for (std::size_t s = 0; s < sides.size(); ++s) {
-        const auto [a, b] = sides[s];
+        const std::uint32_t a = sides[s][0];
+        const std::uint32_t b = sides[s][1];
         std::vector<std::uint32_t> chain;
         std::uint32_t at = b;
         while (at != a) {

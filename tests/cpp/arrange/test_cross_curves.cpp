@@ -3,6 +3,7 @@
 #include "curve/arc.h"
 #include "curve/curve_tools.h"
 #include "curve/line.h"
+#include "curve/polyline.h"
 #include "sample/sample.h"
 #include "sizing/uniform_size.h"
 
@@ -589,6 +590,23 @@ TEST(CrossCurves, ACurveOnItselfAndAStraightSplineOnALine)
     EXPECT_EQ(a.network.curves[0].geometry, a.network.curves[1].geometry);
     EXPECT_EQ(a.network.curves[3].geometry, nullptr);
     EXPECT_EQ(a.network.curves[4].geometry, nullptr);
+}
+
+TEST(CrossCurves, APolylineThatRunsBackAndForthOnItself)
+{
+    CurveNetwork network;
+    addCurve(network, std::make_shared<PolylineCurve>(
+                          std::vector<Vec2> {{15, 15}, {11, 11}, {15, 15}, {10, 10}}));
+    const Arranged a = arranged(network);
+    ASSERT_EQ(a.network.curves.size(), 4U);
+    for (const NetworkCurve& piece : a.network.curves) {
+        ASSERT_NE(piece.geometry, nullptr);
+        const Curve& geometry = *piece.geometry;
+        EXPECT_LT(distance(geometry.point(geometry.first()), a.network.points[piece.start.index()]),
+                  1e-9);
+        EXPECT_LT(distance(geometry.point(geometry.last()), a.network.points[piece.end.index()]),
+                  1e-9);
+    }
 }
 
 TEST(CrossCurves, PointsOfTheInputStayWhereTheyAre)

@@ -104,6 +104,8 @@ TEST(ArcLength, PolylineSumsItsPieces)
     EXPECT_EQ(polyline.point(2.5), (Vec2 {-1, 10}));
     EXPECT_EQ(polyline.point(3.0), (Vec2 {-5, 10}));
     EXPECT_THROW(PolylineCurve({{0, 0}}), Error);
+    EXPECT_EQ(PolylineCurve({{0, 0}, {3, 4}, {3, 4}, {5, 4}}).last(), 2.0);
+    EXPECT_EQ(arcLength(PolylineCurve({{3, 4}, {3, 4}, {3, 4}})), 0.0);
 }
 
 TEST(Turning, IntegratesToTheAngleOfTheArc)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "delaunay/triangulation.h"
 #include "predicates/predicates.h"
-#include "recover/recovery_case.h"
 
 #include <algorithm>
-#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -60,19 +60,28 @@ inline bool isCertain(const Triangulation& mesh, HalfEdge edge)
         < 0;
 }
 
-/// The same constrained Delaunay triangulation, up to cocircular ties.
-inline void expectSameMesh(const Triangulation& a, const Triangulation& b)
+/// Empty if both are the same constrained Delaunay triangulation up to cocircular ties; otherwise
+/// what differs.
+inline std::string meshDifference(const Triangulation& a, const Triangulation& b)
 {
-    EXPECT_EQ(a.points.size(), b.points.size());
+    if (a.points.size() != b.points.size()) {
+        return std::to_string(a.points.size()) + " and " + std::to_string(b.points.size())
+            + " points";
+    }
     const auto any = [](HalfEdge) { return true; };
     const auto constrained = [](const Triangulation& mesh) {
         return [&](HalfEdge e) { return mesh.isConstrained(e); };
     };
     const auto certain
         = [](const Triangulation& mesh) { return [&](HalfEdge e) { return isCertain(mesh, e); }; };
-    EXPECT_TRUE(EdgeSet(a, constrained(a)) == EdgeSet(b, constrained(b)));
-    EXPECT_TRUE(EdgeSet(a, any).contains(EdgeSet(b, certain(b))));
-    EXPECT_TRUE(EdgeSet(b, any).contains(EdgeSet(a, certain(a))));
+    if (EdgeSet(a, constrained(a)) != EdgeSet(b, constrained(b))) {
+        return "different constrained edges";
+    }
+    if (!EdgeSet(a, any).contains(EdgeSet(b, certain(b)))
+        || !EdgeSet(b, any).contains(EdgeSet(a, certain(a)))) {
+        return "an edge that is no cocircular tie is in one only";
+    }
+    return {};
 }
 
 } // namespace tessera::test

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+
+// Any bytes are an input: points and segments between them, triangulated, recovered by both
+// strategies, verified and compared; with small integers also against an exact count. A finding is
+// a property that does not hold, a sanitizer report or a hang.
+//
+// Byte 0: bits 0-2 the kind of coordinates (see coordinate()), bits 3-7 the number of points. Then
+// the points, then segments as pairs of point numbers.
+
+#include "bytes.h"
+
+#include "base/error.h"
+#include "delaunay/delaunay.h"
+#include "property/integer_arrangement.h"
+#include "property/same_mesh.h"
+#include "recover/recover.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace tessera::fuzz
+{
+namespace
+{
+
+enum Kind
+{
+    Integers, ///< 0 .. 15
+    Thirds,   ///< the same, divided by three
+    Turned,   ///< the same, turned by 0.3 rad
+    Nudged,   ///< sixteen values, each moved by a few units in the last place
+    FarAway,  ///< fractions beside 2^34
+    Nested,   ///< small integers at scales 1, 2^-20, 2^-40, 2^-52
+    Huge,     ///< small integers times 2^300, divided by seven
+    AnyDouble, ///< any, brought to at most 2^96 and at least 2^-96 unless it is zero or no number
+};
+
+double coordinate(Bytes& bytes, int kind)
+{
+    if (kind == AnyDouble) {
+        int exponent = 0;
+        const double fraction = std::frexp(bytes.take<double>(), &exponent);
+        return std::ldexp(fraction, exponent % 96);
+    }
+    const auto byte = bytes.take<std::uint8_t>();
+    const double low = byte & 15U;
+    const int high = byte >> 4;
+    switch (kind) {
+    case Nudged:
+        return 1.0 + low / 16.0 + (high - 8) * 0x1p-52;
+    case FarAway:
+        return 0x1p34 + (low + 16.0 * high) / 19.0;
+    case Nested:
+        return 1.0 + std::ldexp(low, std::array {-4, -20, -40, -52}[high & 3]);
+    case Huge:
+        return (low - 8.0) * 0x1p300 / 7.0;
+    default:
+        return low;
+    }
+}
+
+Vec2 point(Bytes& bytes, int kind)
+{
+    const double x = coordinate(bytes, kind);
+    const double y = coordinate(bytes, kind);
+    switch (kind) {
+    case Thirds:
+        return {x / 3.0, y / 3.0};
+    case Turned:
+        return {std::cos(0.3) * x - std::sin(0.3) * y, std::sin(0.3) * x + std::cos(0.3) * y};
+    default:
+        return {x, y};
+    }
+}
+
+test::RawPslg makePslg(Bytes& bytes, int kind, std::size_t pointCount)
+{
+    test::RawPslg raw;
+    for (std::size_t i = 0; i < pointCount; ++i) {
+        raw.addPoint(point(bytes, kind));
+    }
+    while (!bytes.empty() && raw.segments.size() < 64) {
+        const std::size_t a = bytes.take<std::uint8_t>() % pointCount;
+        raw.segments.emplace_back(a, bytes.take<std::uint8_t>() % pointCount);
+    }
+    return raw;
+}
+
+void requireNone(const std::vector<std::string>& problems)
+{
+    if (!problems.empty()) {
+        fail(problems.front());
+    }
+}
+
+RecoveryResult recover(const DelaunayResult& delaunay, const std::vector<ConstraintEnds>& ends,
+                       RecoveryStrategy strategy)
+{
+    Execution execution;
+    RecoveryResult result = recoverBoundaries(delaunay.triangulation, ends, strategy, execution);
+    requireNone(verify(result.triangulation));
+    requireNone(verifyConstraints(result, ends, delaunay.triangulation.points));
+    const RecoveryReport& report = result.report;
+    require(report.crossings == result.triangulation.points.size() - result.firstCrossing,
+            "The crossings are not counted right.");
+    require(strategy == RecoveryStrategy::Cavity
+                || report.steinerInserted - report.steinerRemoved == report.crossings,
+            "The Steiner points are not counted right.");
+    require(report.maxDisplacement <= 0.75 * report.snapPixel || report.snapPixel == 0.0,
+            "A point has moved out of its pixel.");
+    return result;
+}
+
+void check(const test::RawPslg& raw, bool integers)
+{
+    Execution execution;
+    const DelaunayResult delaunay = triangulate(raw.points, execution);
+    requireNone(verify(delaunay.triangulation));
+    std::vector<ConstraintEnds> ends;
+    for (const auto& [a, b] : raw.segments) {
+        ends.push_back({delaunay.vertexOfPoint[a], delaunay.vertexOfPoint[b]});
+    }
+    const RecoveryResult cavity = recover(delaunay, ends, RecoveryStrategy::Cavity);
+    const RecoveryResult steiner = recover(delaunay, ends, RecoveryStrategy::Steiner);
+    if (cavity.report.snapPixel == steiner.report.snapPixel) {
+        const std::string difference
+            = test::meshDifference(cavity.triangulation, steiner.triangulation);
+        require(difference.empty(), difference.c_str());
+    }
+    if (integers) {
+        require(cavity.report.snapPixel == 0.0 && steiner.report.snapPixel == 0.0,
+                "Integers are not ill-conditioned.");
+        require(cavity.triangulation.vertexCount() == test::integerArrangement(raw).size(),
+                "Not the vertices of the exact arrangement.");
+    }
+}
+
+} // namespace
+} // namespace tessera::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    using namespace tessera::fuzz;
+    Bytes bytes(data, size);
+    const auto head = bytes.take<std::uint8_t>();
+    try {
+        check(makePslg(bytes, head & 7, 2U + (head >> 3)), (head & 7) == Integers);
+    }
+    catch (const tessera::Error& error) {
+        if (error.kind() != tessera::ErrorKind::InvalidInput) {
+            throw;
+        }
+    }
+    return 0;
+}
