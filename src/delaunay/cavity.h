@@ -236,8 +236,8 @@ private:
         vertex_ = vertex;
         p_ = p;
         freed_ = kNone;
-        release(newSlot());
-        release(newSlot());
+        release(t_.takeTriangle());
+        release(t_.takeTriangle());
     }
 
     void push(std::uint32_t outer, const Corner& from, const Corner& to)
@@ -249,17 +249,6 @@ private:
     {
         t_.triangles[triangle].v[1] = freed_;
         freed_ = triangle;
-    }
-
-    std::uint32_t newSlot()
-    {
-        if (!t_.freeList.empty()) {
-            const std::uint32_t slot = t_.freeList.back();
-            t_.freeList.pop_back();
-            return slot;
-        }
-        t_.triangles.push_back({});
-        return static_cast<std::uint32_t>(t_.triangles.size() - 1);
     }
 
     /// The next of the freed slots.

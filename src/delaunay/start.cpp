@@ -33,6 +33,8 @@ std::uint32_t appendVertex(Triangulation& t, Vec2 p)
         t.points.push_back({});
         t.incident.push_back(Topology::kDead);
     }
+    makeRoom(t.points);
+    makeRoom(t.incident);
     t.points.push_back(p);
     t.incident.push_back(Topology::kDead);
     return static_cast<std::uint32_t>(t.points.size() - 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/execution.h"
+#include "base/grow.h"
 #include "base/vec2.h"
 #include "delaunay/topology.h"
 
@@ -21,6 +21,19 @@ struct Triangulation: Topology
     std::vector<std::uint32_t> freeList;   ///< dead triangle slots
 
     std::size_t vertexCount() const { return points.empty() ? 0 : points.size() - 1; }
+
+    /// A slot for a new triangle: a dead one, or one more. What it holds is undefined.
+    std::uint32_t takeTriangle()
+    {
+        if (!freeList.empty()) {
+            const std::uint32_t slot = freeList.back();
+            freeList.pop_back();
+            return slot;
+        }
+        makeRoom(triangles);
+        triangles.push_back({});
+        return static_cast<std::uint32_t>(triangles.size() - 1);
+    }
 
     /// Calls f(half-edge) for every edge out of v, counter-clockwise once around.
     template<class F>

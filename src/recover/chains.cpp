@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recover/chains.h"
 
+#include "base/grow.h"
+
 #include <algorithm>
 
 namespace tessera
@@ -9,6 +11,7 @@ namespace tessera
 std::uint32_t Chains::addNode(std::uint32_t vertex, const Links& links)
 {
     while (vertex >= cells_.size()) {
+        makeRoom(cells_);
         cells_.emplace_back();
     }
     ++nodeCount_;
@@ -19,6 +22,7 @@ std::uint32_t Chains::addNode(std::uint32_t vertex, const Links& links)
         return kNear * vertex + k;
     }
     const std::uint32_t n = kFarBit | static_cast<std::uint32_t>(far_.size());
+    makeRoom(far_);
     far_.push_back({links, vertex, cell.firstFar});
     cell.firstFar = n;
     return n;

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 namespace tessera
 {
@@ -48,45 +48,31 @@ struct Buckets
 class MapBuilder
 {
 public:
-    MapBuilder(std::span<const ConstraintEnds> constraints, const SegmentTable& table,
-               const Chains& chains)
+    MapBuilder(std::span<const ConstraintEnds> constraints, const SegmentTable& table)
         : constraints_(constraints)
         , table_(table)
-        , chains_(chains)
-        , constraintsOf_(constraints.size(), table.segments.size(),
-                         [&](std::size_t c) { return table.segmentOf[c]; })
     {}
 
-    ConstraintMap build(std::span<const std::uint32_t> vertexOf)
+    ConstraintMap build(std::span<const std::uint32_t> vertexOf, Chains chains)
     {
-        layOutChains();
-        fillChains(vertexOf);
-        const std::size_t pieces = chains_.nodeCount() - chains_.segmentCount();
-        map_.subsegments.reserve(pieces);
-        map_.uses.reserve(pieces);
-        for (std::uint32_t v = 0; v < chains_.vertexCount(); ++v) {
-            addEdgesAt(v);
-        }
+        const std::size_t vertexCount = chains.vertexCount();
+        layOutChains(chains);
+        fillChains(vertexOf, chains);
+        chains = {}; // their memory serves the rest
+        bucketUses(vertexCount);
+        addSubsegments(groupUses());
         return std::move(map_);
     }
 
 private:
-    /// A segment's piece from the vertex at hand to a higher one.
-    struct Piece
-    {
-        std::uint32_t other;
-        std::uint32_t segment;
-        bool forward;
-    };
-
     bool sameDirection(std::uint32_t c, std::uint32_t s) const
     {
         return constraints_[c].a == table_.segments[s].a;
     }
 
-    void layOutChains()
+    void layOutChains(const Chains& chains)
     {
-        const std::vector<std::uint32_t> lengths = chains_.lengths();
+        const std::vector<std::uint32_t> lengths = chains.lengths();
         map_.chainStart.reserve(constraints_.size() + 1);
         std::uint32_t next = 0;
         for (std::uint32_t c = 0; c < constraints_.size(); ++c) {
@@ -107,7 +93,7 @@ private:
     };
 
     /// Each step along a list waits for memory, so several lists are followed at a time.
-    void fillChains(std::span<const std::uint32_t> vertexOf)
+    void fillChains(std::span<const std::uint32_t> vertexOf, const Chains& chains)
     {
         constexpr std::size_t kAtATime = 16;
         std::vector<Copy> copies;
@@ -119,68 +105,101 @@ private:
                     map_.chainVertices[map_.chainStart[c]] = vertexOf[constraints_[c].a];
                 }
                 else if (sameDirection(c, s)) {
-                    copies.push_back({chains_.first(s), map_.chainStart[c], 1U});
+                    copies.push_back({chains.first(s), map_.chainStart[c], 1U});
                 }
                 else {
-                    copies.push_back({chains_.first(s), map_.chainStart[c + 1] - 1U, ~0U});
+                    copies.push_back({chains.first(s), map_.chainStart[c + 1] - 1U, ~0U});
                 }
             }
             for (Copy& copy : copies) {
-                map_.chainVertices[copy.to] = chains_.vertexOf(copy.node);
+                map_.chainVertices[copy.to] = chains.vertexOf(copy.node);
                 copy.to += copy.step;
-                copy.node = chains_.next(copy.node);
+                copy.node = chains.next(copy.node);
             }
             std::erase_if(copies, [](const Copy& copy) { return copy.node == Chains::kNone; });
         }
     }
 
-    void addEdgesAt(std::uint32_t v)
+    /// Calls f(constraint, u, v) for every piece of every chain, in the constraint's direction.
+    template<class F>
+    void forEachPiece(F&& f) const
     {
-        pieces_.clear();
-        chains_.forEachAt(v, [&](std::uint32_t, std::uint32_t segment, std::uint32_t previous,
-                                 std::uint32_t next) {
-            for (const bool forward : {true, false}) {
-                const std::uint32_t neighbor = forward ? next : previous;
-                if (neighbor != Chains::kNone && chains_.vertexOf(neighbor) > v) {
-                    pieces_.push_back({chains_.vertexOf(neighbor), segment, forward});
-                }
+        for (std::uint32_t c = 0; c < constraints_.size(); ++c) {
+            const auto chain = map_.chainOf(ConstraintId(c));
+            for (std::size_t i = 1; i < chain.size(); ++i) {
+                f(c, chain[i - 1], chain[i]);
             }
-        });
-        std::sort(pieces_.begin(), pieces_.end(), [](const Piece& p, const Piece& q) {
-            return std::tie(p.other, p.segment) < std::tie(q.other, q.segment);
-        });
-        for (auto first = pieces_.begin(); first != pieces_.end();) {
-            const auto last = std::find_if(first, pieces_.end(), [&](const Piece& p) {
-                return p.other != first->other;
-            });
-            addSubsegment(v, {first, last});
-            first = last;
         }
     }
 
-    void addSubsegment(std::uint32_t v, std::span<const Piece> pieces)
+    /// Puts a use for each piece into map_.uses and its higher vertex into higher_, in the order of
+    /// the lower vertex, then of the constraint.
+    void bucketUses(std::size_t vertexCount)
     {
-        const std::size_t firstUse = map_.uses.size();
-        for (const Piece& piece : pieces) {
-            for (const std::uint32_t c : constraintsOf_.of(piece.segment)) {
-                const bool forward = piece.forward == sameDirection(c, piece.segment);
-                map_.uses.push_back({ConstraintId(c), forward});
+        usesAt_.assign(vertexCount + 1, 0);
+        forEachPiece([this](std::uint32_t, std::uint32_t u, std::uint32_t v) {
+            ++usesAt_[std::min(u, v)];
+        });
+        std::exclusive_scan(usesAt_.begin(), usesAt_.end(), usesAt_.begin(), 0U);
+        map_.uses.resize(usesAt_.back());
+        higher_.resize(usesAt_.back());
+        forEachPiece([this](std::uint32_t c, std::uint32_t u, std::uint32_t v) {
+            const std::uint32_t i = usesAt_[std::min(u, v)]++;
+            map_.uses[i] = {ConstraintId(c), u < v};
+            higher_[i] = std::max(u, v);
+        });
+        std::move_backward(usesAt_.begin(), usesAt_.end() - 1, usesAt_.end());
+        usesAt_[0] = 0;
+    }
+
+    /// Sorts each bucket by the higher vertex, then by the constraint. Returns the number of edges.
+    std::size_t groupUses()
+    {
+        std::vector<std::pair<std::uint32_t, ConstraintUse>> bucket;
+        std::size_t edges = 0;
+        for (std::size_t v = 0; v + 1 < usesAt_.size(); ++v) {
+            bucket.clear();
+            for (std::uint32_t i = usesAt_[v]; i < usesAt_[v + 1]; ++i) {
+                bucket.emplace_back(higher_[i], map_.uses[i]);
+            }
+            std::sort(bucket.begin(), bucket.end(), [](const auto& p, const auto& q) {
+                return p.first != q.first ? p.first < q.first
+                                          : p.second.constraint < q.second.constraint;
+            });
+            std::uint32_t before = SegmentTable::kNone;
+            std::uint32_t i = usesAt_[v];
+            for (const auto& [higher, use] : bucket) {
+                edges += higher != before ? 1 : 0;
+                before = higher;
+                higher_[i] = higher;
+                map_.uses[i] = use;
+                ++i;
             }
         }
-        std::sort(map_.uses.begin() + static_cast<std::ptrdiff_t>(firstUse), map_.uses.end(),
-                  [](const ConstraintUse& p, const ConstraintUse& q) {
-                      return p.constraint < q.constraint;
-                  });
-        map_.subsegments.push_back({v, pieces.front().other, static_cast<std::uint32_t>(firstUse),
-                                    static_cast<std::uint32_t>(map_.uses.size() - firstUse)});
+        return edges;
+    }
+
+    void addSubsegments(std::size_t count)
+    {
+        map_.subsegments.reserve(count);
+        for (std::uint32_t v = 0; v + 1 < usesAt_.size(); ++v) {
+            const std::uint32_t end = usesAt_[v + 1];
+            for (std::uint32_t first = usesAt_[v]; first < end;) {
+                std::uint32_t last = first + 1;
+                while (last < end && higher_[last] == higher_[first]) {
+                    ++last;
+                }
+                map_.subsegments.push_back({v, higher_[first], first, last - first});
+                first = last;
+            }
+        }
     }
 
     std::span<const ConstraintEnds> constraints_;
     const SegmentTable& table_;
-    const Chains& chains_;
-    Buckets constraintsOf_; ///< by segment
     ConstraintMap map_;
-    std::vector<Piece> pieces_;
+    std::vector<std::uint32_t> usesAt_; ///< by lower vertex: where its uses begin
+    std::vector<std::uint32_t> higher_; ///< by use: the edge's higher vertex
 };
 
 } // namespace
@@ -218,9 +237,9 @@ SegmentTable::SegmentTable(std::span<const ConstraintEnds> constraints, std::siz
 
 ConstraintMap makeConstraintMap(std::span<const ConstraintEnds> constraints,
                                 std::span<const std::uint32_t> vertexOf, const SegmentTable& table,
-                                const Chains& chains)
+                                Chains chains)
 {
-    return MapBuilder(constraints, table, chains).build(vertexOf);
+    return MapBuilder(constraints, table).build(vertexOf, std::move(chains));
 }
 
 } // namespace tessera

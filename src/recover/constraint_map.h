@@ -26,9 +26,9 @@ struct SegmentTable
 };
 
 /// Which constraints the edges lie on. vertexOf: the vertex that each constraint end has become.
-/// The subsegments are sorted by a, then b, and their uses by constraint.
+/// The subsegments are sorted by a, then b, and their uses by constraint. Consumes the chains.
 ConstraintMap makeConstraintMap(std::span<const ConstraintEnds> constraints,
                                 std::span<const std::uint32_t> vertexOf, const SegmentTable& table,
-                                const Chains& chains);
+                                Chains chains);
 
 } // namespace tessera

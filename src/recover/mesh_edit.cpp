@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "recover/mesh_edit.h"
 
+#include "delaunay/start.h"
 #include "predicates/predicates.h"
 
 #include <algorithm>
@@ -264,8 +265,8 @@ void MeshEdit::splitOnly(HalfEdge edge, std::uint32_t p)
     const bool constrained = mesh_.isConstrained(edge);
     const Open sides[4] = {border(Topology::next(edge)), border(Topology::prev(edge)),
                            border(Topology::next(back)), border(Topology::prev(back))};
-    const std::uint32_t third = takeTriangle();
-    const std::uint32_t fourth = takeTriangle();
+    const std::uint32_t third = mesh_.takeTriangle();
+    const std::uint32_t fourth = mesh_.takeTriangle();
     // Around p: v -> l -> u -> r, counter-clockwise.
     const std::uint32_t t[4] = {place(Topology::triangleOf(edge), p, v, l), place(third, p, l, u),
                                 place(Topology::triangleOf(back), p, u, r), place(fourth, p, r, v)};
@@ -384,17 +385,6 @@ std::vector<std::uint32_t> MeshEdit::takeFreeVertices()
     return std::exchange(freeVertices_, {});
 }
 
-std::uint32_t MeshEdit::takeTriangle()
-{
-    if (!mesh_.freeList.empty()) {
-        const std::uint32_t t = mesh_.freeList.back();
-        mesh_.freeList.pop_back();
-        return t;
-    }
-    mesh_.triangles.emplace_back();
-    return static_cast<std::uint32_t>(mesh_.triangles.size() - 1);
-}
-
 std::uint32_t MeshEdit::takeVertex(Vec2 p)
 {
     if (!freeVertices_.empty()) {
@@ -403,9 +393,7 @@ std::uint32_t MeshEdit::takeVertex(Vec2 p)
         mesh_.points[vertex] = p;
         return vertex;
     }
-    mesh_.points.push_back(p);
-    mesh_.incident.push_back(Topology::kDead);
-    return static_cast<std::uint32_t>(mesh_.points.size() - 1);
+    return appendVertex(mesh_, p);
 }
 
 } // namespace tessera

@@ -111,7 +111,6 @@ private:
     void cutEar(std::vector<Open>& polygon);
     Open openSide(HalfEdge inner, std::uint32_t vertex) const;
     Open border(HalfEdge inner) const;
-    std::uint32_t takeTriangle();
     std::uint32_t takeVertex(Vec2 p);
 
     void restore();

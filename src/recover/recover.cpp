@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace tessera
 {
@@ -117,8 +118,21 @@ std::vector<std::uint32_t> moveInputFirst(Triangulation& mesh,
     return result;
 }
 
-/// The pieces of all chains, as constraints.
-std::vector<ConstraintEnds> piecesOf(const Chains& chains)
+/// The fast path. False: the input is ill-conditioned, and the result is to be made anew.
+bool recoverExactly(RecoveryResult& result, std::span<const Segment> segments, Chains& chains,
+                    RecoveryStrategy strategy, Execution& execution, RecoveryObserver* observer)
+{
+    BoundaryRecovery recovery(result.triangulation, segments, strategy, observer);
+    if (!recovery.run(execution)) {
+        return false;
+    }
+    chains = recovery.takeChains();
+    result.report = recovery.report();
+    return true;
+}
+
+/// The different pieces of all chains.
+std::vector<Segment> piecesOf(const Chains& chains)
 {
     std::vector<ConstraintEnds> pieces;
     for (std::uint32_t s = 0; s < chains.segmentCount(); ++s) {
@@ -130,38 +144,62 @@ std::vector<ConstraintEnds> piecesOf(const Chains& chains)
             before = v;
         });
     }
-    return pieces;
+    return SegmentTable(pieces, chains.vertexCount()).segments;
 }
 
-/// Starts anew from the input points of the result's triangulation. Returns the chains.
+/// The pieces of snapped chains meet at vertices only; so with the strategy Cavity there is nothing
+/// to follow, and each goes straight into the mesh.
+void recoverPieces(RecoveryResult& result, const Chains& chains, RecoveryStrategy strategy,
+                   Execution& execution, RecoveryObserver* observer)
+{
+    bool done = true;
+    if (strategy == RecoveryStrategy::Cavity) {
+        MeshEdit edit(result.triangulation);
+        for (std::uint32_t s = 0; s < chains.segmentCount(); ++s) {
+            execution.checkpoint();
+            std::uint32_t before = Topology::kInfinite;
+            chains.forEachVertex(s, [&](std::uint32_t v) {
+                done = done && (before == Topology::kInfinite || edit.constrain(before, v));
+                before = v;
+            });
+        }
+    }
+    else {
+        Chains ofPieces;
+        done = recoverExactly(result, piecesOf(chains), ofPieces, strategy, execution, observer);
+    }
+    if (!done) {
+        throw std::logic_error("Snap rounding: pieces cross.");
+    }
+}
+
+/// Snap rounding of the input points, and of the segments between them.
 Chains recoverSnapped(RecoveryResult& result, std::span<const Segment> segments,
                       RecoveryStrategy strategy, Execution& execution, RecoveryObserver* observer)
 {
-    const std::size_t inputSize = result.vertexMap.size();
-    SnapResult snapped = snapRound(std::span(result.triangulation.points).first(inputSize),
-                                   segments, execution);
-    DelaunayResult delaunay = triangulate(snapped.points, execution);
     Triangulation& mesh = result.triangulation;
+    const auto end = mesh.points.begin() + static_cast<std::ptrdiff_t>(result.vertexMap.size());
+    const std::vector<Vec2> input(mesh.points.begin(), end);
+    mesh = {};
+    SnapResult snapped = snapRound(input, segments, execution);
+    DelaunayResult delaunay = triangulate(snapped.points, execution);
     mesh = std::move(delaunay.triangulation);
+    const std::size_t crossings = snapped.points.size() - snapped.inputCount;
+    snapped.points = std::vector<Vec2> {};
     const std::vector<std::uint32_t> vertexOfPoint
         = moveInputFirst(mesh, delaunay.vertexOfPoint, snapped.inputCount);
-    for (std::size_t v = 1; v < inputSize; ++v) {
+    for (std::size_t v = 1; v < result.vertexMap.size(); ++v) {
         result.vertexMap[v] = vertexOfPoint[snapped.pointOf[v]];
     }
     snapped.chains.renameVertices(vertexOfPoint, mesh.points.size());
     result.report = {};
     if (!mesh.triangles.empty()) {
-        const SegmentTable pieces(piecesOf(snapped.chains), mesh.points.size());
-        BoundaryRecovery recovery(mesh, pieces.segments, strategy, observer);
-        if (!recovery.run(execution)) {
-            throw std::logic_error("Snap rounding: pieces cross.");
-        }
-        result.report = recovery.report();
+        recoverPieces(result, snapped.chains, strategy, execution, observer);
     }
     result.firstCrossing = static_cast<std::uint32_t>(snapped.inputCount + 1);
-    result.report.crossings = snapped.points.size() - snapped.inputCount;
+    result.report.crossings = crossings;
     if (strategy == RecoveryStrategy::Steiner) {
-        result.report.steinerInserted += result.report.crossings;
+        result.report.steinerInserted += crossings;
     }
     result.report.maxDisplacement = snapped.maxDisplacement;
     result.report.snapPixel = snapped.pixel;
@@ -191,17 +229,11 @@ RecoveryResult recoverBoundaries(Triangulation triangulation,
     if (mesh.triangles.empty()) {
         chains = chainsOnLine(mesh, table.segments);
     }
-    else {
-        BoundaryRecovery recovery(mesh, table.segments, strategy, observer);
-        if (recovery.run(execution)) {
-            chains = recovery.takeChains();
-            result.report = recovery.report();
-        }
-        else {
-            chains = recoverSnapped(result, table.segments, strategy, execution, observer);
-        }
+    else if (!recoverExactly(result, table.segments, chains, strategy, execution, observer)) {
+        chains = recoverSnapped(result, table.segments, strategy, execution, observer);
     }
-    result.constraints = makeConstraintMap(constraints, result.vertexMap, table, chains);
+    result.constraints
+        = makeConstraintMap(constraints, result.vertexMap, table, std::move(chains));
     countIncidences(result);
     if (observer != nullptr) {
         observer->recovered(result);

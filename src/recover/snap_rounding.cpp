@@ -52,23 +52,70 @@
 #include <bit>
 #include <cmath>
 #include <stdexcept>
-#include <unordered_map>
+#include <utility>
 
 namespace tessera
 {
 namespace
 {
 
-struct CenterHash
+/// The vertices at hot pixels, by center: a hash table of vertex numbers with linear probing, at
+/// most three quarters full.
+class HotPixels
 {
-    std::size_t operator()(Vec2 p) const noexcept
+public:
+    static constexpr std::uint32_t kNone = 0xffffffffU;
+
+    /// points: by vertex; may grow.
+    explicit HotPixels(const std::vector<Vec2>& points)
+        : points_(points)
+        , slots_(64, kNone)
+    {}
+
+    /// The vertex at the center, kNone if the pixel is not hot.
+    std::uint32_t find(Vec2 center) const { return slots_[slotOf(center)]; }
+
+    /// Adds a vertex whose pixel was not hot.
+    void add(std::uint32_t vertex)
+    {
+        if (4 * (count_ + 1) > 3 * slots_.size()) {
+            const std::vector<std::uint32_t> old
+                = std::exchange(slots_, std::vector<std::uint32_t>(2 * slots_.size(), kNone));
+            for (const std::uint32_t v : old) {
+                if (v != kNone) {
+                    slots_[slotOf(points_[v])] = v;
+                }
+            }
+        }
+        slots_[slotOf(points_[vertex])] = vertex;
+        ++count_;
+    }
+
+private:
+    static std::size_t hash(Vec2 p)
     {
         const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0); // -0 and 0 are one center
         const auto y = std::bit_cast<std::uint64_t>(p.y + 0.0);
         std::uint64_t h = x * 0x9e3779b97f4a7c15U ^ std::rotl(y, 32) * 0xc2b2ae3d27d4eb4fU;
         h ^= h >> 29;
-        return h * 0xbf58476d1ce4e5b9U;
+        h *= 0xbf58476d1ce4e5b9U;
+        return h ^ (h >> 32);
     }
+
+    /// The slot with the center's vertex, or the free one where it belongs.
+    std::size_t slotOf(Vec2 center) const
+    {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t i = hash(center) & mask;
+        while (slots_[i] != kNone && !(points_[slots_[i]] == center)) {
+            i = (i + 1) & mask;
+        }
+        return i;
+    }
+
+    const std::vector<Vec2>& points_;
+    std::vector<std::uint32_t> slots_; ///< a power of two of them
+    std::size_t count_ = 0;
 };
 
 /// The power of two that brings the greatest coordinate to 1/2 .. 1.
@@ -130,6 +177,7 @@ public:
         , execution_(execution)
         , box_(boxOf(input_))
         , grid_(box_)
+        , hot_(mesh_.points)
         , chains_(segments.size(), points.size())
         , edit_(mesh_)
     {
@@ -148,7 +196,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kNone = 0xffffffffU;
+    static constexpr std::uint32_t kNone = HotPixels::kNone;
     /// In pixels: one, and half of one for rounding.
     static constexpr double kReach = 1.5;
 
@@ -190,7 +238,7 @@ private:
         vertexOfInput_.insert(vertexOfInput_.begin(), Topology::kInfinite);
         firstAdded_ = static_cast<std::uint32_t>(mesh_.points.size());
         for (std::uint32_t v = 1; v < mesh_.points.size(); ++v) {
-            vertexAt_.emplace(mesh_.points[v], v);
+            hot_.add(v);
         }
     }
 
@@ -298,7 +346,7 @@ private:
         }
         const Vec2 p = crossLines(a, b, c, d).point;
         const Vec2 center = grid_.centerOfCrossing(a, b, c, d, p);
-        if (vertexAt_.contains(center)) {
+        if (hot_.find(center) != kNone) {
             return kNone;
         }
         maxDisplacement_ = std::max(maxDisplacement_, distance(p, center));
@@ -328,7 +376,7 @@ private:
             }
         }
         edit_.insert(center, locate(mesh_, center, hint));
-        vertexAt_.emplace(center, vertex);
+        hot_.add(vertex);
         for (const Through& piece : through_) {
             constrain(piece.u, vertex);
             constrain(vertex, piece.v);
@@ -364,11 +412,14 @@ private:
         SnapResult result;
         result.pixel = std::ldexp(grid_.side(), -power_);
         result.maxDisplacement = std::ldexp(maxDisplacement_, -power_);
-        std::vector<std::uint32_t> index(mesh_.points.size(), kNone);
+        const std::vector<Vec2> centers = std::move(mesh_.points);
+        mesh_ = {}; // its memory serves the result
+        std::vector<std::uint32_t> index(centers.size(), kNone);
+        result.points.reserve(centers.size());
         const auto take = [&](std::uint32_t v) {
             if (index[v] == kNone) {
                 index[v] = static_cast<std::uint32_t>(result.points.size());
-                const Vec2 p = mesh_.points[v];
+                const Vec2 p = centers[v];
                 result.points.push_back({std::ldexp(p.x, -power_), std::ldexp(p.y, -power_)});
             }
         };
@@ -376,7 +427,7 @@ private:
             take(vertexOfInput_[i]);
         }
         result.inputCount = result.points.size();
-        for (std::uint32_t v = firstAdded_; v < mesh_.points.size(); ++v) {
+        for (std::uint32_t v = firstAdded_; v < centers.size(); ++v) {
             take(v);
         }
         result.pointOf.push_back(kNone);
@@ -397,7 +448,7 @@ private:
     Triangulation mesh_;
     std::vector<std::uint32_t> vertexOfInput_;
     std::uint32_t firstAdded_ = 0; ///< vertices from here on are pixels of crossings
-    std::unordered_map<Vec2, std::uint32_t, CenterHash> vertexAt_;
+    HotPixels hot_;
     Chains chains_;
     MeshEdit edit_;
     std::size_t added_ = 0;
