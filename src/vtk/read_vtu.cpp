@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // VTK's own reader believes what a file says and can crash on a damaged one, so this one reads the
-// four arrays that a check needs (points, connectivity, offsets, types) and checks all of them.
+// arrays that are needed (points, connectivity, offsets, types; one of the point data if asked) and
+// checks all of them.
 #include "base/error.h"
 #include "io/text_file.h"
 #include "vtk/vtk_mesh.h"
@@ -40,6 +41,7 @@ struct PieceTag
     std::optional<ArrayTag> connectivity;
     std::optional<ArrayTag> offsets;
     std::optional<ArrayTag> types;
+    std::optional<ArrayTag> wanted; ///< point data of the name that is looked for
 };
 
 /// What becomes of a cell type: a kind, or left out; none if it is refused.
@@ -87,6 +89,25 @@ public:
             addPiece(piece);
         }
         return std::move(mesh_);
+    }
+
+    NodalField run(const std::string& array)
+    {
+        wanted_ = array;
+        NodalField field {run(), {}};
+        for (const PieceTag& piece : pieces_) {
+            if (!piece.wanted && piece.points > 0) {
+                fail(fmt::format("there is no point data called {}; there is {}.", inQuotes(array),
+                                 pointArrays_.empty() ? "none" : pointArrays_));
+            }
+            if (piece.wanted && piece.wanted->components != 1) {
+                fail(fmt::format("the point data {} has {} numbers a point; sizes have one.",
+                                 inQuotes(array), piece.wanted->components));
+            }
+            const auto values = valuesOf(piece.wanted, "sizes", piece.points);
+            field.values.insert(field.values.end(), values.begin(), values.end());
+        }
+        return field;
     }
 
 private:
@@ -154,7 +175,8 @@ private:
                 pieces_.back().points = countOf(tag.attribute("NumberOfPoints"));
                 pieces_.back().cells = countOf(tag.attribute("NumberOfCells"));
             }
-            else if (tag.name() == "Points" || tag.name() == "Cells") {
+            else if (tag.name() == "Points" || tag.name() == "Cells"
+                     || tag.name() == "PointData") {
                 section = tag.name();
             }
             else if (tag.name() == "DataArray" && !pieces_.empty()) {
@@ -190,6 +212,12 @@ private:
                 : name == "offsets"        ? &piece.offsets
                 : name == "types"          ? &piece.types
                                            : nullptr;
+        }
+        else if (section == "PointData") {
+            if (pieces_.size() == 1) {
+                pointArrays_ += (pointArrays_.empty() ? "" : ", ") + std::string(name);
+            }
+            place = name == wanted_ ? &piece.wanted : nullptr;
         }
         if (place == nullptr) {
             return;
@@ -313,6 +341,8 @@ private:
     std::size_t appended_ = 0; ///< where the appended data begins; 0: there is none
     bool appendedIsBase64_ = false;
     std::vector<PieceTag> pieces_;
+    std::string wanted_;      ///< name of point data; empty: none
+    std::string pointArrays_; ///< names of the first piece's point data
     RawMesh mesh_;
     std::int64_t cellNumber_ = 0;
 };
@@ -322,6 +352,11 @@ private:
 RawMesh parseVtu(std::string_view text, const std::string& name)
 {
     return VtuReader(text, name).run();
+}
+
+NodalField parseVtu(std::string_view text, const std::string& name, const std::string& array)
+{
+    return VtuReader(text, name).run(array);
 }
 
 } // namespace tessera

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tessera
 {
@@ -26,5 +27,16 @@ void writeVtk(const Mesh& mesh, const std::filesystem::path& path);
 /// encodings. Numbers of nodes and cells are VTK's, from 0. name is used in messages. Whatever the
 /// text has in it, this ends with a mesh or throws Error(Unreadable).
 RawMesh parseVtu(std::string_view text, const std::string& name);
+
+/// A mesh with a number at each node.
+struct NodalField
+{
+    RawMesh mesh;
+    std::vector<double> values; ///< by node; any number
+};
+
+/// The same with the point data of the given name, one number a point; Error(Unreadable) also if
+/// there is none.
+NodalField parseVtu(std::string_view text, const std::string& name, const std::string& array);
 
 } // namespace tessera
