@@ -199,7 +199,8 @@ private:
         report.inputOperands = input_.operands.size();
         ArrangeOptions arrangeOptions;
         arrangeOptions.weld = std::max(options_.weld, 0.0);
-        arrangeOptions.crossStraight = options_.refine;
+        // Without a tolerance the recovery of the pieces does it exactly.
+        arrangeOptions.crossStraight = options_.refine || arrangeOptions.weld > 0.0;
         arrangeOptions.recovery = options_.recovery;
         arrangeOptions.observer = stages_;
         network_ = arrange(input_, arrangeOptions, arranged_, execution_);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "arrange/cross_straight.h"
 
+#include "arrange/cross_curves.h"
+#include "arrange/weld.h"
 #include "delaunay/delaunay.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tessera
@@ -42,25 +45,53 @@ StraightPart recoverStraight(const CurveNetwork& network, const ArrangeOptions& 
     return part;
 }
 
-/// Gives every vertex of the recovered triangulation a point: the first of the network's that is
-/// there, a new one for a crossing. Points follow their vertex where snap rounding moved it.
-std::vector<PointId> pointsOfVertices(CurveNetwork& network, const StraightPart& part)
+/// By vertex of the recovered triangulation: its point of the network. Crossings get new points,
+/// one for all that are closer to each other than the tolerance, or the point of the input that is
+/// so close: where many lines are drawn through one place, rounding spreads their crossings.
+std::vector<PointId> pointsOfVertices(CurveNetwork& network, const StraightPart& part,
+                                      double tolerance, const Execution& execution)
 {
     const auto& positions = part.recovered.triangulation.points;
+    const std::size_t inputPoints = network.points.size();
     std::vector<PointId> pointOf(positions.size());
-    for (std::size_t p = 0; p < part.vertexOfPoint.size(); ++p) {
+    for (std::size_t p = 0; p < inputPoints; ++p) {
         PointId& point = pointOf[part.vertexOfPoint[p]];
         network.points[p] = positions[part.vertexOfPoint[p]];
         if (!point.valid()) {
             point = PointId(p);
         }
     }
-    for (std::size_t v = part.recovered.firstCrossing; v < positions.size(); ++v) {
+    std::vector<std::uint32_t> crossings;
+    std::vector<Vec2> places = network.points;
+    for (auto v = part.recovered.firstCrossing; v < positions.size(); ++v) {
         if (!pointOf[v].valid()) {
-            pointOf[v] = network.addPoint(positions[v]);
+            crossings.push_back(v);
+            places.push_back(positions[v]);
         }
     }
+    const std::vector<std::uint8_t> wanted(places.size(), tolerance > 0.0 ? 1 : 0);
+    const WeldResult weld = weldPoints(places, wanted, tolerance, execution);
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        const std::size_t place = inputPoints + i;
+        const std::size_t first = weld.representative[place];
+        pointOf[crossings[i]] = first == place   ? network.addPoint(positions[crossings[i]])
+            : first < inputPoints                ? PointId(first)
+                                                 : pointOf[crossings[first - inputPoints]];
+    }
     return pointOf;
+}
+
+/// The points that a constraint runs through, each once in a row.
+std::vector<PointId> stopsOf(const StraightPart& part, ConstraintId constraint,
+                             const std::vector<PointId>& pointOf)
+{
+    std::vector<PointId> stops;
+    for (const std::uint32_t v : part.recovered.constraints.chainOf(constraint)) {
+        if (stops.empty() || stops.back() != pointOf[v]) {
+            stops.push_back(pointOf[v]);
+        }
+    }
+    return stops;
 }
 
 } // namespace
@@ -72,7 +103,10 @@ void crossStraightCurves(CurveNetwork& network, const ArrangeOptions& options,
     const std::size_t touches = report.crossed.touches;
     report.crossed = part.recovered.report;
     report.crossed.touches += touches;
-    const std::vector<PointId> pointOf = pointsOfVertices(network, part);
+    const double tolerance = std::max(options.weld, 16.0 * meetingDistance(network, options.weld));
+    const std::size_t inputPoints = network.points.size();
+    const std::vector<PointId> pointOf = pointsOfVertices(network, part, tolerance, execution);
+    report.crossed.crossings = network.points.size() - inputPoints;
 
     std::vector<NetworkCurve> pieces;
     std::vector<CurveId> parent;
@@ -91,13 +125,13 @@ void crossStraightCurves(CurveNetwork& network, const ArrangeOptions& options,
             add(curve, c);
             continue;
         }
-        const auto chain = part.recovered.constraints.chainOf(ConstraintId(constraint++));
-        if (chain.size() < 2) {
+        const std::vector<PointId> stops = stopsOf(part, ConstraintId(constraint++), pointOf);
+        if (stops.size() < 2) {
             add(curve, c); // zero length: sampling drops it and says so
         }
-        for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-            curve.start = pointOf[chain[i]];
-            curve.end = pointOf[chain[i + 1]];
+        for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+            curve.start = stops[i];
+            curve.end = stops[i + 1];
             add(curve, c);
         }
     }

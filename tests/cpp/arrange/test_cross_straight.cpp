@@ -119,4 +119,28 @@ TEST(CrossStraight, CurvesOnAGeometryAreCrossedWithoutBeingAsked)
     EXPECT_EQ(report.crossed.crossings, 3U);
 }
 
+TEST(CrossStraight, ManyLinesThroughOnePlaceHaveOneCrossingWithinTheTolerance)
+{
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> u(0.0, 1.0);
+    CurveNetwork network;
+    network.operands.push_back({"star"});
+    const Vec2 center {1.2345, 0.777};
+    for (int i = 0; i < 300; ++i) {
+        const double angle = 0.5 + 0.5 * u(random);
+        const Vec2 way {std::cos(angle), std::sin(angle)};
+        addLine(network, center - (3 + 5 * u(random)) * way, center + (3 + 5 * u(random)) * way);
+    }
+    ArrangeReport report;
+    Execution execution;
+    const CurveNetwork result =
+        arrange(network, {.weld = 1e-7, .crossStraight = true}, report, execution);
+    EXPECT_EQ(report.crossed.crossings, 1U);
+    EXPECT_EQ(result.points.size(), network.points.size() + 1);
+    EXPECT_EQ(result.curves.size(), 2 * network.curves.size());
+    EXPECT_LE(distance(result.points.back(), center), 1e-12);
+    // Without a tolerance, what rounding has separated stays so.
+    EXPECT_GT(arranged(network, report).points.size(), network.points.size() + 1);
+}
+
 } // namespace tessera
