@@ -193,6 +193,7 @@ private:
         const std::vector<std::uint8_t> all(network_.points.size(), 1);
         WeldResult weld = weldPoints(network_.points, all, tolerance_, execution_);
         keepInputPoints(weld.representative);
+        centerClusters(network_.points, weld.representative, inputPoints_);
         for (const std::uint32_t p : weld.chainsLeft) {
             report_.chainsLeft.push_back({network_.points[p]});
         }

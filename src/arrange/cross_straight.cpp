@@ -71,10 +71,11 @@ std::vector<PointId> pointsOfVertices(CurveNetwork& network, const StraightPart&
     }
     const std::vector<std::uint8_t> wanted(places.size(), tolerance > 0.0 ? 1 : 0);
     const WeldResult weld = weldPoints(places, wanted, tolerance, execution);
+    centerClusters(places, weld.representative, inputPoints);
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const std::size_t place = inputPoints + i;
         const std::size_t first = weld.representative[place];
-        pointOf[crossings[i]] = first == place   ? network.addPoint(positions[crossings[i]])
+        pointOf[crossings[i]] = first == place   ? network.addPoint(places[place])
             : first < inputPoints                ? PointId(first)
                                                  : pointOf[crossings[first - inputPoints]];
     }

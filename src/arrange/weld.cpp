@@ -251,4 +251,44 @@ WeldResult weldPoints(std::span<const Vec2> points, std::span<const std::uint8_t
     return Welder(points, wanted, tolerance, execution).run();
 }
 
+void centerClusters(std::span<Vec2> points, std::span<const std::uint32_t> representative,
+                    std::size_t firstMade)
+{
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> members; // (representative, point)
+    for (auto p = static_cast<std::uint32_t>(firstMade); p < points.size(); ++p) {
+        if (representative[p] >= firstMade) {
+            members.emplace_back(representative[p], p);
+        }
+    }
+    std::sort(members.begin(), members.end());
+    std::vector<double> values;
+    const auto median = [&](std::size_t begin, std::size_t end, double Vec2::*coordinate) {
+        values.clear();
+        for (std::size_t i = begin; i < end; ++i) {
+            values.push_back(points[members[i].second].*coordinate);
+        }
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    };
+    for (std::size_t i = 0; i < members.size();) {
+        std::size_t j = i;
+        while (j < members.size() && members[j].first == members[i].first) {
+            ++j;
+        }
+        if (j - i > 2) {
+            const Vec2 center {median(i, j, &Vec2::x), median(i, j, &Vec2::y)};
+            const auto nearer = [&](const auto& a, const auto& b) {
+                return squaredLength(points[a.second] - center)
+                    < squaredLength(points[b.second] - center);
+            };
+            const auto best = std::min_element(members.begin() + static_cast<std::ptrdiff_t>(i),
+                                               members.begin() + static_cast<std::ptrdiff_t>(j),
+                                               nearer);
+            points[members[i].first] = points[best->second];
+        }
+        i = j;
+    }
+}
+
 } // namespace tessera

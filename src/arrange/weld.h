@@ -4,6 +4,7 @@
 #include "base/execution.h"
 #include "base/vec2.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,5 +26,12 @@ struct WeldResult
 /// Depends on the positions and their order only. Precondition: finite points, tolerance >= 0.
 WeldResult weldPoints(std::span<const Vec2> points, std::span<const std::uint8_t> wanted,
                       double tolerance, const Execution& execution);
+
+/// Puts the representative of each cluster of made points, from firstMade on, where its middlemost
+/// member is (nearest to the medians of both coordinates): of many crossings that are one up to
+/// rounding, those of almost parallel curves are the worst known. Clusters with a point of the
+/// input keep its place. O(n log n).
+void centerClusters(std::span<Vec2> points, std::span<const std::uint32_t> representative,
+                    std::size_t firstMade);
 
 } // namespace tessera
