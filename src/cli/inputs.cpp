@@ -64,8 +64,10 @@ public:
         CurveNetwork network = kind == InputKind::Cad ? readCadFile(path)
                                                       : readNetwork(path, roles_);
         for (const NetworkCurve& curve : network.curves) {
-            numbers_.insert(kind == InputKind::Poly ? curve.marker
-                                                    : static_cast<std::int64_t>(curve.source));
+            const std::int64_t number =
+                kind == InputKind::Poly ? curve.marker : static_cast<std::int64_t>(curve.source);
+            numbers_.insert(number);
+            inputs_.numberOfCurve.push_back(number);
         }
         if (kind == InputKind::Wkt && several_) {
             prefixNames(network, std::filesystem::path(path).stem().string() + "_");

@@ -4,6 +4,7 @@
 #include "curve/curve_network.h"
 #include "io/role_lists.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct Inputs
 {
     CurveNetwork network;
     double defaultWeld = 0.0; ///< the greatest of the inputs'
+    /// By curve: its marker (.poly), line (.wkt) or edge number (CAD).
+    std::vector<std::int64_t> numberOfCurve;
 };
 
 /// Reads the files, .poly, .wkt and CAD, their operands in order. CAD files after the first take

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/inputs.h"
 #include "cli/run_control.h"
+#include "cli/size_options.h"
 #include "io/atomic_file.h"
 #include "io/read_network.h"
 #include "io/report_json.h"
@@ -43,6 +44,7 @@ struct MeshArguments
     FillRule fill = FillRule::EvenOdd;
     RecoveryStrategy recovery = RecoveryStrategy::Cavity;
     RoleLists roles;
+    SizeArguments sizes;
     bool noRefine = false;
     bool noOptimize = false;
     std::string stages;
@@ -60,6 +62,7 @@ void addOptions(CLI::App& command, MeshArguments& a)
     command.add_option("--min-size", a.minSize, "Smallest edge length to aim for");
     command.add_option("--growth", a.growth,
                        "How fast the size may grow, above 0 to 1; default 0.3");
+    addSizeOptions(command, a.sizes);
     command.add_option("--max-area", a.maxArea, "Largest area of a triangle");
     command.add_option("--min-angle", a.minAngle,
                        "Smallest angle to reach, 0 to 33 degrees; default 30");
@@ -185,6 +188,7 @@ int runMesh(const MeshArguments& a)
     if (options.weld < 0.0) {
         options.weld = inputs.defaultWeld;
     }
+    options.sizes = localSizes(a.sizes, inputs);
     execution.checkpoint();
     const double read = clock.seconds();
     MeshResult result = meshNetwork(inputs.network, options, execution, stages.get());
