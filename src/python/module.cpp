@@ -2,6 +2,7 @@
 // The native half of the Python package: what needs C++. Users import tessera, which checks their
 // arguments and gives the results a Python face.
 #include "curve/curve_network.h"
+#include "python/local_sizes.h"
 #include "python/mesh_result.h"
 #include "python/network_input.h"
 #include "python/python_error.h"
@@ -63,6 +64,9 @@ void defineInput(py::module_& module)
              py::arg("markers"), py::arg("name"), py::arg("roles"))
         .def("add_polygon", &NetworkInput::addPolygon, py::arg("rings"), py::arg("name"),
              py::arg("role"))
+        .def("curves_of", &NetworkInput::curvesOf, py::arg("source"), py::arg("number"))
+        .def("operands_of", &NetworkInput::operandsOf, py::arg("source"))
+        .def("to_plane", &NetworkInput::toPlane, py::arg("point"))
         .def_property_readonly("curve_count",
                                [](const NetworkInput& i) { return i.network().curves.size(); })
         .def_property_readonly("default_weld", &NetworkInput::defaultWeld);
@@ -102,6 +106,7 @@ PYBIND11_MODULE(_tessera, module)
     defineEnums(module);
     defineInput(module);
     defineMesh(module);
+    defineLocalSizes(module);
     defineRun(module);
     defineFiles(module);
     // Errors outside a run (writing a file): no names to give.

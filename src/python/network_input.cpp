@@ -91,6 +91,42 @@ PlaceName NetworkInput::nameOf(std::size_t source, std::uint32_t number) const
     return name;
 }
 
+std::vector<std::uint32_t> NetworkInput::curvesOf(std::size_t source, std::int64_t number) const
+{
+    const std::size_t end = source + 1 < sources_.size() ? sources_[source + 1].firstCurve
+                                                         : network_.curves.size();
+    std::vector<std::uint32_t> curves;
+    for (std::size_t c = source < sources_.size() ? sources_[source].firstCurve : end; c < end;
+         ++c) {
+        if (number < 0 || network_.curves[c].source == number) {
+            curves.push_back(static_cast<std::uint32_t>(c));
+        }
+    }
+    return curves;
+}
+
+std::vector<std::uint32_t> NetworkInput::operandsOf(std::size_t source) const
+{
+    std::vector<std::uint32_t> operands;
+    for (const std::uint32_t c : curvesOf(source, -1)) {
+        operands.push_back(network_.curves[c].operand.value);
+    }
+    std::sort(operands.begin(), operands.end());
+    operands.erase(std::unique(operands.begin(), operands.end()), operands.end());
+    return operands;
+}
+
+std::array<double, 2> NetworkInput::toPlane(const std::array<double, 3>& point) const
+{
+    std::array<double, 2> result {};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double offset = point[i] - frame_.origin[i];
+        result[0] += offset * frame_.x[i];
+        result[1] += offset * frame_.y[i];
+    }
+    return result;
+}
+
 void NetworkInput::raise(const Error& error) const
 {
     std::vector<PlaceName> names;

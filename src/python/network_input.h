@@ -8,6 +8,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -49,6 +50,14 @@ public:
     /// Rings (n, 2), outer first; a last point equal to the first is left out. One operand with
     /// boundary rings, or constraints. Raises Python errors.
     void addPolygon(const std::vector<Coordinates>& rings, const std::string& name, Role role);
+
+    /// Ids of the curves that came from an edge or segment of a source (counted in the order of
+    /// adding, all shapes of one call one by one); from any of it if number is negative.
+    std::vector<std::uint32_t> curvesOf(std::size_t source, std::int64_t number) const;
+    /// The operands that a source became, ascending.
+    std::vector<std::uint32_t> operandsOf(std::size_t source) const;
+    /// (x, y) in the plane's frame of a point in the space of the shapes.
+    std::array<double, 2> toPlane(const std::array<double, 3>& point) const;
 
     const CurveNetwork& network() const { return network_; }
     const PlaneFrame& frame() const { return frame_; }

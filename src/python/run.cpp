@@ -136,7 +136,8 @@ void defineRun(py::module_& module)
         .def_readwrite("fill", &MeshOptions::fill)
         .def_readwrite("recovery", &MeshOptions::recovery)
         .def_readwrite("refine", &MeshOptions::refine)
-        .def_readwrite("optimize", &MeshOptions::optimize);
+        .def_readwrite("optimize", &MeshOptions::optimize)
+        .def_readwrite("sizes", &MeshOptions::sizes);
 
     module.def("mesh", &runMesh, py::arg("input"), py::arg("options"), py::arg("execution"),
                py::arg("progress"), py::arg("stages"));

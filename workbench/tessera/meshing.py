@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """tessera.mesh(): checks the options and runs the mesher."""
 
-import math
 import os
 
 from tessera.errors import InvalidOptionError
 from tessera.native import module as native
 from tessera.result import Mesh
+from tessera.sizes import local_sizes, number, positive
 from tessera.sources import Prepared, prepare
 
 Execution = native.Execution
@@ -29,6 +29,14 @@ def mesh(
     *,
     min_size=None,
     growth=0.3,
+    curvature=None,
+    chord_error=None,
+    gap=None,
+    size_at=(),
+    size_on=(),
+    size_in=(),
+    size_expr=(),
+    size_from=None,
     order=1,
     fill="even-odd",
     min_angle=30.0,
@@ -57,6 +65,19 @@ def mesh(
     size          target edge length, > 0; None: diagonal of the bounding box / 40.
     min_size      nowhere smaller, > 0; None: no bound.
     growth        greatest change of the edge length per length, 0 < growth <= 1.
+    curvature     pieces for a full turn of a curve, 3 .. 10000; None: 8.
+    chord_error   greatest distance between a curve and its pieces, > 0; None: no bound.
+    gap           elements across narrow gaps between curves, > 0; None: gaps make no difference.
+    size_at       [(x, y, size)] at points in the frame of the plane, or [(place, size)] at points in
+                  space and vertices: "Vertex3", (object, "Vertex3"). Wherever a size at a place is
+                  given, two more forms are taken: (..., size, radius), which holds up to the
+                  radius, and (..., size, radius, far_size, far_radius), which then grows linearly.
+    size_on       {curve: size} or [(curve or list of curves, size)]; curves as for constraint.
+    size_in       {operand: size} or [(operand, size)]: numbers from 0 or names; or the region
+                  around a place: [((x, y), size)].
+    size_expr     text in x and y, or a list of texts: "0.1 + 0.05*x".
+    size_from     sizes at the nodes of another mesh: "FILE.vtu:ARRAY", (nodes, triangles, sizes) or
+                  (tessera.Mesh, sizes); or a list of these.
     order         1, or 2 for triangles with mid nodes on the curves.
     fill          what is inside: "even-odd", "nonzero", "positive", "negative", "all", "hull".
     min_angle     in degrees, 0 .. 33; smaller angles of the input stay.
@@ -81,8 +102,8 @@ def mesh(
     options = native.MeshOptions()
     options.size = _positive("size", size)
     options.min_size = _positive("min_size", min_size)
-    options.growth = _number("growth", growth)
-    options.min_angle = _number("min_angle", min_angle)
+    options.growth = number("growth", growth)
+    options.min_angle = number("min_angle", min_angle)
     options.max_area = _positive("max_area", max_area)
     options.weld = -1.0 if weld is None else _not_negative("weld", weld)
     options.order = _choice("order", order, {1: 1, 2: 2})
@@ -101,38 +122,23 @@ def mesh(
         prepared = prepare(source, bool(construction), constraint, boundary)
     folder = "" if stages is None else os.fspath(stages)
     with prepared.placed_errors():
+        options.sizes = local_sizes(
+            prepared, curvature, chord_error, gap, size_at, size_on, size_in, size_expr, size_from
+        )
         data = native.mesh(prepared.network, options, run, progress, folder)
     return Mesh(data, prepared.base)
 
 
-def _number(name, value):
-    value = getattr(value, "Value", value)  # of a FreeCAD quantity
-    if isinstance(value, (bool, str, bytes)):
-        raise InvalidOptionError(f"{name} must be a number, not {value!r}.")
-    try:
-        number = float(value)
-    except (TypeError, ValueError) as error:
-        raise InvalidOptionError(f"{name} must be a number, not {value!r}.") from error
-    if not math.isfinite(number):
-        raise InvalidOptionError(f"{name} must be finite, not {number}.")
-    return number
-
-
 def _positive(name, value):
     """0.0, which the compiled module takes for "choose", if the value is None."""
-    if value is None:
-        return 0.0
-    number = _number(name, value)
-    if number <= 0.0:
-        raise InvalidOptionError(f"{name} must be greater than 0, not {number:g}.")
-    return number
+    return 0.0 if value is None else positive(name, value)
 
 
 def _not_negative(name, value):
-    number = _number(name, value)
-    if number < 0.0:
-        raise InvalidOptionError(f"{name} must not be negative, and is {number:g}.")
-    return number
+    result = number(name, value)
+    if result < 0.0:
+        raise InvalidOptionError(f"{name} must not be negative, and is {result:g}.")
+    return result
 
 
 def _choice(name, value, choices):

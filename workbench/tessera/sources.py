@@ -16,11 +16,33 @@ from tessera.native import module as native
 
 
 class Prepared:
-    """The compiled input, and where its frame lies: a 4 x 4 matrix."""
+    """The compiled input, and where its frame lies: a 4 x 4 matrix. names finds what the user names
+    in the sources."""
 
-    def __init__(self, network, base):
+    def __init__(self, network, base, names):
         self.network = network
         self.base = base
+        self._names = names
+
+    def curves(self, element):
+        """Ids of the curves of an element, as for constraint."""
+        return [
+            curve
+            for source, number in self._names.curves(element)
+            for curve in self.network.curves_of(source, number)
+        ]
+
+    def vertex(self, element):
+        """The point in space of "Vertex3" or (object, "Vertex3")."""
+        return self._names.vertex(element)
+
+    def operands(self, element):
+        """Ids of the operands of a source, by its number from 0 or its name."""
+        return self.network.operands_of(self._names.source(element))
+
+    def to_plane(self, point):
+        """(x, y) in the frame of the plane of a point in space."""
+        return self.network.to_plane((np.linalg.inv(self.base) @ (*point, 1.0))[:3].tolist())
 
     @contextmanager
     def placed_errors(self):
@@ -102,11 +124,40 @@ def _prepare_arrays(items, constraint, boundary):
             network.add_polygon(arrays.rings_of(item), name, role)
     for element in constraint + boundary:
         if not _is_array_element(element, items):
-            raise InvalidOptionError(
-                f"There is nothing called {element!r} in the source; polygons are numbered from 0 "
-                "or called 'Polygon1', 'Polygon2', ...; segments are numbered from 0."
-            )
-    return Prepared(network, np.eye(4))
+            raise InvalidOptionError(_nothing_called(element))
+    return Prepared(network, np.eye(4), ArrayNames(items))
+
+
+class ArrayNames:
+    """Segments by number, polygons by number or as "Polygon1", ..."""
+
+    def __init__(self, items):
+        self._items = items
+
+    def curves(self, element):
+        if not _is_array_element(element, self._items):
+            raise InvalidOptionError(_nothing_called(element))
+        if len(self._items) == 1 and arrays.is_points_and_segments(self._items[0]):
+            return [(0, int(element))]
+        return [(self.source(element), -1)]
+
+    def source(self, element):
+        if isinstance(element, str):
+            names = [f"Polygon{i + 1}" for i in range(len(self._items))]
+            element = names.index(element) if element in names else -1
+        if not isinstance(element, (int, np.integer)) or not 0 <= element < len(self._items):
+            raise InvalidOptionError(_nothing_called(element))
+        return int(element)
+
+    def vertex(self, element):
+        raise InvalidOptionError(f"Arrays have no {element!r}; give the place as (x, y).")
+
+
+def _nothing_called(element):
+    return (
+        f"There is nothing called {element!r} in the source; polygons are numbered from 0 or called "
+        "'Polygon1', 'Polygon2', ...; segments are numbered from 0."
+    )
 
 
 def _has(elements, name, number):
@@ -161,7 +212,8 @@ def _prepare_cad(items, construction, constraint, boundary):
 
     base = next((s.placement for s in everything if s.placement is not None), None)
     network = native.NetworkInput()
-    prepared = Prepared(network, np.eye(4) if base is None else matrix_of(base))
+    matrix = np.eye(4) if base is None else matrix_of(base)
+    prepared = Prepared(network, matrix, CadNames(everything))
     given = [
         source.native(prefix, _to_frame(source, base))
         for source, prefix in zip(everything, prefixes)
@@ -169,6 +221,58 @@ def _prepare_cad(items, construction, constraint, boundary):
     with prepared.placed_errors():
         network.add_shapes(given, base is not None)
     return prepared
+
+
+class CadNames:
+    """Curves as for constraint, vertices as FreeCAD numbers them in the source's Shape."""
+
+    def __init__(self, sources):
+        self._sources = sources
+
+    def curves(self, element):
+        if isinstance(element, tuple):
+            owner, subs = element
+            found = []
+            for sub in [subs] if isinstance(subs, str) else subs:
+                for index, source in enumerate(self._sources):
+                    number = source.edge_number(sub) if source.owner is owner else None
+                    if number is not None:
+                        found.append((index, number))
+            if not found:
+                raise InvalidOptionError(
+                    f"{subs!r} of {owner.Label} is not a curve of what is meshed."
+                )
+            return found
+        source, number = _find(self._sources, element)
+        return [(self._sources.index(source), number)]
+
+    def source(self, element):
+        if isinstance(element, (int, np.integer)) and 0 <= element < len(self._sources):
+            return int(element)
+        prefixes = _prefixes(self._sources)
+        if element in prefixes:
+            return prefixes.index(element)
+        raise InvalidOptionError(
+            f"There is no source called {element!r}; sources are numbered from 0, or called by "
+            f"their labels: {', '.join(map(repr, prefixes))}."
+        )
+
+    def vertex(self, element):
+        owners = [source.owner for source in self._sources]
+        if isinstance(element, tuple):
+            owner, name = element
+            name = name if isinstance(name, str) else "".join(name)
+        else:
+            owner, name = owners[0], element
+        shape = getattr(owner, "Shape", owner)
+        number = int(name[len("Vertex"):]) if name.startswith("Vertex") and \
+            name[len("Vertex"):].isdigit() else 0
+        if not 1 <= number <= len(shape.Vertexes):
+            raise InvalidOptionError(
+                f"There is no vertex called {name!r}; there are {len(shape.Vertexes)}, from "
+                "'Vertex1' on."
+            )
+        return tuple(shape.Vertexes[number - 1].Point)
 
 
 def _to_frame(source, base):
