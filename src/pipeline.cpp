@@ -8,6 +8,7 @@
 #include "optimize/optimize.h"
 #include "refine/working_mesh.h"
 #include "region/colored_plane.h"
+#include "region/dropped_curves.h"
 #include "region/no_inside.h"
 #include "sample/sample.h"
 #include "sizing/make_size_field.h"
@@ -322,8 +323,8 @@ private:
         if (regions_.keptRegions == 0 && !allowsEmpty()) {
             throw explainNoInside(recovered_, network_, pslg_, options_.fill);
         }
-        result_.report.messages.insert(result_.report.messages.end(), regions_.messages.begin(),
-                                       regions_.messages.end());
+        tell(regions_.messages);
+        tell(describeDroppedCurves(recovered_, network_, pslg_, regions_));
         watch_.lap(result_.report.seconds.color);
         if (stages_ != nullptr) {
             stages_->outsideRemoved(recovered_, regions_);
@@ -332,6 +333,12 @@ private:
                                 delaunay_.vertexOfPoint);
         working_ = makeWorkingMesh(std::move(recovered_), regions_, network_, pslg_,
                                    std::move(origin_));
+    }
+
+    void tell(const std::vector<std::string>& messages)
+    {
+        result_.report.messages.insert(result_.report.messages.end(), messages.begin(),
+                                       messages.end());
     }
 
     bool allowsEmpty() const

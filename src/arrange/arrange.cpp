@@ -93,8 +93,8 @@ void addMessages(double weld, ArrangeReport& report)
         report.messages.push_back(
             std::to_string(report.chainsLeft.size())
             + (report.chainsLeft.size() == 1 ? " row" : " rows")
-            + " of end points within the weld tolerance of each other reach too far to be one"
-              " point and stay as they are, the first at ("
+            + " of end points or crossings within the weld tolerance of each other reach too far to"
+              " be one point and stay as they are, the first at ("
             + number(place.x) + ", " + number(place.y) + "); choose a smaller tolerance.");
     }
 }
@@ -135,13 +135,13 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
     for (std::size_t c = 0; c < result.curves.size(); ++c) {
         report.parent.emplace_back(c);
     }
-    addMessages(tolerance, report);
     report.firstCrossing = result.points.size();
     weldPointsOntoCurves(result, options, report, execution);
     if (options.crossStraight) {
         crossStraightCurves(result, options, report, execution);
     }
     crossCurves(result, options, report, execution);
+    addMessages(tolerance, report);
     return result;
 }
 

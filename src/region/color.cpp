@@ -248,9 +248,13 @@ private:
     {
         const std::size_t count = recovered_.constraints.subsegments.size();
         map_.isBoundary.resize(count);
+        map_.isOutside.resize(count);
         for (std::size_t s = 0; s < count; ++s) {
             const FaceLink& link = faces_.links[s];
-            map_.isBoundary[s] = regionOfFace_[link.left] != regionOfFace_[link.right] ? 1 : 0;
+            const std::uint32_t left = regionOfFace_[link.left];
+            const std::uint32_t right = regionOfFace_[link.right];
+            map_.isBoundary[s] = left != right ? 1 : 0;
+            map_.isOutside[s] = map_.regions[left].inside || map_.regions[right].inside ? 0 : 1;
         }
     }
 

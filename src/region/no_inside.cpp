@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "region/no_inside.h"
 
+#include "region/free_ends.h"
+
 #include <algorithm>
-#include <cstdio>
-#include <limits>
-#include <map>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -14,13 +12,6 @@ namespace tessera
 
 namespace
 {
-
-/// Where an odd number of an operand's curves end.
-struct FreeEnd
-{
-    std::uint32_t point;
-    std::uint32_t curve;
-};
 
 bool isMeshed(const NetworkCurve& curve)
 {
@@ -32,71 +23,19 @@ bool bounds(const NetworkCurve& curve)
     return curve.role == Role::Boundary || curve.role == Role::Outline;
 }
 
-std::vector<FreeEnd> findFreeEnds(const CurveNetwork& network)
-{
-    std::map<std::pair<OperandId, PointId>, std::vector<std::uint32_t>> ends;
-    for (std::uint32_t c = 0; c < network.curves.size(); ++c) {
-        const NetworkCurve& curve = network.curves[c];
-        if (isMeshed(curve)) {
-            ends[{curve.operand, curve.start}].push_back(c);
-            ends[{curve.operand, curve.end}].push_back(c);
-        }
-    }
-    std::vector<FreeEnd> free;
-    for (const auto& [where, curves] : ends) {
-        if (curves.size() % 2 == 1) {
-            free.push_back({where.second.value, curves.front()});
-        }
-    }
-    return free;
-}
-
-/// The two free ends closest to each other, by a sweep over x.
-std::optional<std::pair<FreeEnd, FreeEnd>> closestPair(std::vector<FreeEnd> ends,
-                                                       const CurveNetwork& network)
-{
-    const auto position = [&network](const FreeEnd& end) { return network.points[end.point]; };
-    std::stable_sort(ends.begin(), ends.end(), [&position](const FreeEnd& a, const FreeEnd& b) {
-        return position(a).x < position(b).x;
-    });
-    double nearest = std::numeric_limits<double>::infinity();
-    std::optional<std::pair<FreeEnd, FreeEnd>> best;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        for (std::size_t j = i + 1;
-             j < ends.size() && position(ends[j]).x - position(ends[i]).x < nearest; ++j) {
-            const double d = distance(position(ends[i]), position(ends[j]));
-            if (d < nearest) {
-                nearest = d;
-                best = std::pair(ends[i], ends[j]);
-            }
-        }
-    }
-    return best;
-}
-
-std::string placeText(Vec2 p)
-{
-    char text[80];
-    std::snprintf(text, sizeof text, "(%.6g, %.6g)", p.x, p.y);
-    return text;
-}
-
 Error openError(const CurveNetwork& network, const std::vector<FreeEnd>& ends)
 {
     const auto pair = closestPair(ends, network);
     if (!pair) {
         return {ErrorKind::NoInside, "No curve bounds an area: there is no closed outline."};
     }
-    const Vec2 a = network.points[pair->first.point];
-    const Vec2 b = network.points[pair->second.point];
-    char gap[40];
-    std::snprintf(gap, sizeof gap, "%.6g", distance(a, b));
     return {ErrorKind::NoInside,
             "The outline is not closed: " + std::to_string(ends.size())
-                + " ends are free. The two closest to each other are " + placeText(a) + " and "
-                + placeText(b) + ", " + gap
-                + " apart; close the gap, or raise the weld tolerance to that.",
-            {{a, pair->first.curve}, {b, pair->second.curve}}};
+                + " ends are free. The two closest to each other are "
+                + describePair(*pair, network)
+                + "; close the gap, or raise the weld tolerance to that.",
+            {{network.points[pair->first.point], pair->first.curve},
+             {network.points[pair->second.point], pair->second.curve}}};
 }
 
 ErrorPlace startOf(const CurveNetwork& network, bool (*wanted)(const NetworkCurve&))
@@ -140,7 +79,7 @@ Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& netwo
                 "There are no curves, so there is nothing to mesh; draw a closed outline (or choose"
                 " Fill = Hull for points)."};
     }
-    const std::vector<FreeEnd> ends = findFreeEnds(network);
+    const std::vector<FreeEnd> ends = findFreeEnds(network, {});
     if (!hasFiniteTriangle(recovered.triangulation) || pslg.segments.empty()) {
         return {ErrorKind::NoInside,
                 "The outline encloses no area: all its points lie on one line.",

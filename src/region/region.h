@@ -32,6 +32,8 @@ struct RegionMap
     std::vector<Region> regions;
     /// By subsegment: it separates (Role::Boundary after Outline has been resolved).
     std::vector<std::uint8_t> isBoundary;
+    /// By subsegment: nothing on either side of it is inside.
+    std::vector<std::uint8_t> isOutside;
     std::size_t keptRegions = 0;       ///< connected kept faces
     /// Loops inside others, or parts where loops overlap, that even-odd turned into holes although
     /// neither the operand (declaresHoles) nor a hole point said so.

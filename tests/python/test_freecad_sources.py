@@ -224,14 +224,51 @@ def test_gap_below_and_above_the_weld_tolerance(document):
     sides = rectangle(20, 10)
     sides[3] = Part.LineSegment(Vector(0, 10), Vector(0, 0.1))
     source = sketch(document, sides)
-    with pytest.raises(tessera.NoInsideError, match="0.1"):
+    with pytest.raises(tessera.NoInsideError) as caught:
         tessera.mesh(source, size=1.0)
+    assert "(0, 0) of Sketch_Geometry0 and (0, 0.1) of Sketch_Geometry3, 0.1 apart" in str(
+        caught.value
+    )
+    places = {place.element: place.point for place in caught.value.places}
+    assert places["Geometry0"] == (0.0, 0.0, 0.0)
+    assert places["Geometry3"] == pytest.approx((0.0, 0.1, 0.0))
     mesh = tessera.mesh(source, size=1.0, weld=0.2)
     assert_conforming(mesh)
     assert mesh.report["welded"] == 1 and mesh.report["messages"]
     sides[3] = Part.LineSegment(Vector(0, 10), Vector(0, 1e-7))
     closed = tessera.mesh(sketch(document, sides, label="Closed"), size=1.0)
     assert closed.report["weld"] >= 1e-6 and closed.report["area"] == pytest.approx(200.0)
+
+
+def test_an_open_outline_around_a_closed_loop_is_told(document):
+    sides = rectangle(20, 10)
+    sides[3] = Part.LineSegment(Vector(0, 10), Vector(0, 0.1))
+    source = sketch(document, [*sides, Part.Circle(Vector(10, 5), Vector(0, 0, 1), 2)])
+    mesh = tessera.mesh(source, size=1.0)
+    assert mesh.report["area"] == pytest.approx(4 * np.pi, rel=0.05)
+    left_out, reason = mesh.report["messages"]
+    assert "Sketch_Geometry0" in left_out and "1 more" in left_out
+    assert "(0, 0) of Sketch_Geometry0 and (0, 0.1) of Sketch_Geometry3, 0.1 apart" in reason
+
+
+def test_constraints_outside_the_outline_are_left_out_and_told(document):
+    lines = [
+        Part.LineSegment(Vector(10, 5), Vector(30, 5)),
+        Part.LineSegment(Vector(2, 2), Vector(8, 2)),
+        Part.LineSegment(Vector(40, 2), Vector(48, 2)),
+    ]
+    source = sketch(document, rectangle(20, 10) + lines)
+    mesh = tessera.mesh(source, size=1.0)
+    assert mesh.report["area"] == pytest.approx(200.0)
+    assert mesh.report["messages"][0] == (
+        "Outside the outline, and therefore left out: Sketch_Geometry6; "
+        "parts of Sketch_Geometry4."
+    )
+    kept = mesh.edges[mesh.groups["Sketch_Geometry4"].members]
+    assert length_of(mesh, kept) == pytest.approx(10.0)
+    inside = mesh.edges[mesh.groups["Sketch_Geometry5"].members]
+    assert length_of(mesh, inside) == pytest.approx(6.0)
+    assert "Sketch_Geometry6" not in mesh.groups
 
 
 def test_overlapping_lines_enclose_nothing(document):

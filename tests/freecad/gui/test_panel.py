@@ -8,6 +8,7 @@ import sketches
 import window
 
 from tessera.objects import planar_mesh
+from tessera.shapes import edge_of_geometry
 
 
 def state(document):
@@ -188,12 +189,15 @@ def test_gap_is_explained_and_welded(document, output):
     panel = window.open_panel(sketch)
     panel.mesh()
     assert "0.1 apart" in panel.message
+    assert "Sketch_Geometry0" in panel.message and "Sketch_Geometry3" in panel.message
     (chosen,) = window.selected()
-    assert len(chosen[1]) >= 1, "the edges with the free ends are selected"
+    ends = [edge_of_geometry(sketch, index) for index in (0, 3)]
+    assert sorted(chosen[1]) == sorted(ends), "the edges with the free ends are selected"
     panel.type_length("weldField", "0.2 mm")
     panel.mesh()
     (mesh,) = window.planar_meshes(document)
     assert mesh.Weld.Value == pytest.approx(0.2)
+    assert "weld tolerance 0.2" in " ".join(mesh.Messages)
     assert sketches.fem_area(mesh.FemMesh) == pytest.approx(800.0, rel=1e-2)
 
 

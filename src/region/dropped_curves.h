@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "recover/recover.h"
+#include "region/region.h"
+#include "sample/pslg.h"
+
+#include <string>
+#include <vector>
+
+namespace tessera
+{
+
+/// What to tell the user about constraints, and chains that do not close, of which a part lies
+/// outside everything that is meshed: their names, and the gap that may be the reason. Empty if
+/// there are none. O(subsegments).
+std::vector<std::string> describeDroppedCurves(const RecoveryResult& recovered,
+                                               const CurveNetwork& network, const Pslg& pslg,
+                                               const RegionMap& regions);
+
+} // namespace tessera
