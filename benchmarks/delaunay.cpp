@@ -1,171 +1,212 @@
 // SPDX-License-Identifier: MIT
 
-// Delaunay triangulation of 10^6 points against CGAL's Delaunay_triangulation_2 with exact
-// predicates (EPICK): same points, same process, process CPU time. `bytes_per_vertex` is the
-// greatest growth of the heap during one run over the number of points.
+// Delaunay triangulation of a million points. CGAL: Delaunay_triangulation_2 with exact predicates
+// (EPICK). GEOS: GEOSDelaunayTriangulation, which has a tolerance of 0 but no exact predicates and
+// writes triangles as polygons. Boost: the Voronoi diagram of Boost.Polygon, which takes 32-bit
+// integers only.
+
+#include "section.h"
 
 #include "base/execution.h"
 #include "delaunay/delaunay.h"
 
-#include <benchmark/benchmark.h>
-
 #ifdef TESSERA_HAS_CGAL
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/version.h>
+#endif
+#ifdef TESSERA_HAS_GEOS
+#include "geos_peer.h"
+#endif
+#ifdef TESSERA_HAS_BOOST
+#include <boost/polygon/voronoi.hpp>
+#include <boost/version.hpp>
 #endif
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <malloc.h>
-#include <new>
+#include <memory>
+#include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace
 {
 
-std::size_t heapNow = 0;
-std::size_t heapPeak = 0;
+using namespace tessera;
+using bench::Result;
+using bench::Section;
+using Points = std::shared_ptr<const std::vector<Vec2>>;
 
-} // namespace
+constexpr std::size_t kCount = 1000000;
 
-void* operator new(std::size_t size)
+class Generator
 {
-    void* p = std::malloc(size);
-    if (p == nullptr) {
-        throw std::bad_alloc();
+public:
+    double unit() { return unit_(random_); }
+    double normal() { return normal_(random_); }
+    std::size_t index(std::size_t n) { return random_() % n; }
+
+    /// n points in random order.
+    template<class F>
+    Points make(F&& point)
+    {
+        std::vector<Vec2> points(kCount);
+        for (std::size_t i = 0; i < kCount; ++i) {
+            points[i] = point(i);
+        }
+        std::shuffle(points.begin(), points.end(), random_);
+        return std::make_shared<const std::vector<Vec2>>(std::move(points));
     }
-    heapNow += malloc_usable_size(p);
-    heapPeak = std::max(heapPeak, heapNow);
-    return p;
-}
 
-void operator delete(void* p) noexcept
-{
-    heapNow -= p != nullptr ? malloc_usable_size(p) : 0;
-    std::free(p);
-}
+    Points uniform()
+    {
+        return make([this](std::size_t) {
+            const double x = unit();
+            return Vec2 {x, unit()};
+        });
+    }
+    /// In 0 .. 2^30.
+    Points integers()
+    {
+        return make([this](std::size_t) {
+            const double x = std::floor(unit() * 0x1p30);
+            return Vec2 {x, std::floor(unit() * 0x1p30)};
+        });
+    }
+    Points grid(double step)
+    {
+        return make([step](std::size_t i) {
+            return Vec2 {step * static_cast<double>(i % 1000), step * static_cast<double>(i / 1000)};
+        });
+    }
+    /// 100 clusters whose normal deviations run from the first to the last.
+    Points clusters(double first, double last)
+    {
+        constexpr std::size_t kClusters = 100;
+        std::vector<Vec2> centers(kClusters);
+        for (Vec2& c : centers) {
+            c = {unit(), unit()};
+        }
+        return make([=, this](std::size_t) {
+            const std::size_t k = index(kClusters);
+            const double t = static_cast<double>(k) / (kClusters - 1);
+            const double deviation = first * std::pow(last / first, t);
+            const double x = normal();
+            return centers[k] + deviation * Vec2 {x, normal()};
+        });
+    }
+    Points circle()
+    {
+        return make([this](std::size_t) {
+            const double angle = 2.0 * std::numbers::pi * unit();
+            return Vec2 {std::cos(angle), std::sin(angle)};
+        });
+    }
 
-void operator delete(void* p, std::size_t) noexcept
-{
-    operator delete(p);
-}
-
-namespace
-{
-
-using tessera::Vec2;
-
-enum class Kind
-{
-    Uniform,
-    Grid,
-    DecimalGrid,
-    Clusters,
-    MultiScale,
-    Circle,
+private:
+    std::mt19937_64 random_ {42};
+    std::uniform_real_distribution<double> unit_ {0.0, 1.0};
+    std::normal_distribution<double> normal_;
 };
 
-std::vector<Vec2> makePoints(Kind kind, std::size_t n)
+void runTessera(Result& result, const Points& points)
 {
-    std::mt19937_64 random(42);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    std::normal_distribution<double> normal;
-    const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
-    std::vector<Vec2> centers(100);
-    for (Vec2& c : centers) {
-        c = {unit(random), unit(random)};
-    }
-    std::vector<Vec2> points(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double column = static_cast<double>(i % side);
-        const double row = static_cast<double>(i / side);
-        const double angle = 2.0 * M_PI * unit(random);
-        const std::size_t cluster = random() % centers.size();
-        switch (kind) {
-            case Kind::Uniform:
-                points[i] = {unit(random), unit(random)};
-                break;
-            case Kind::Grid:
-                points[i] = {column, row};
-                break;
-            case Kind::DecimalGrid:
-                points[i] = {0.1 * column, 0.1 * row};
-                break;
-            case Kind::Clusters:
-                points[i] = centers[cluster] + 1e-3 * Vec2 {normal(random), normal(random)};
-                break;
-            case Kind::MultiScale:
-                points[i] = centers[cluster]
-                    + std::pow(10.0, -2.0 - 0.06 * static_cast<double>(cluster))
-                        * Vec2 {normal(random), normal(random)};
-                break;
-            case Kind::Circle:
-                points[i] = {std::cos(angle), std::sin(angle)};
-                break;
-        }
-    }
-    std::shuffle(points.begin(), points.end(), random);
-    return points;
-}
-
-void countMemory(benchmark::State& state, std::size_t before, std::size_t points)
-{
-    state.counters["bytes_per_vertex"]
-        = static_cast<double>(heapPeak - before) / static_cast<double>(points);
-}
-
-void tesseraDelaunay(benchmark::State& state, Kind kind)
-{
-    const std::vector<Vec2> points = makePoints(kind, static_cast<std::size_t>(state.range(0)));
-    for (auto _ : state) {
-        const std::size_t before = heapPeak = heapNow;
-        tessera::Execution execution;
-        const tessera::DelaunayResult result = tessera::triangulate(points, execution);
-        benchmark::DoNotOptimize(result.triangulation.triangles.data());
-        countMemory(state, before, points.size());
-    }
+    Execution execution;
+    const DelaunayResult delaunay = triangulate(*points, execution);
+    result.vertices = delaunay.triangulation.vertexCount();
 }
 
 #ifdef TESSERA_HAS_CGAL
-void cgalDelaunay(benchmark::State& state, Kind kind)
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+void addCgal(Section& section, const std::string& input, const Points& points)
 {
-    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    std::vector<Kernel::Point_2> points;
-    for (const Vec2 p : makePoints(kind, static_cast<std::size_t>(state.range(0)))) {
-        points.emplace_back(p.x, p.y);
+    std::vector<Kernel::Point_2> converted;
+    for (const Vec2 p : *points) {
+        converted.emplace_back(p.x, p.y);
     }
-    for (auto _ : state) {
-        const std::size_t before = heapPeak = heapNow;
-        const CGAL::Delaunay_triangulation_2<Kernel> result(points.begin(), points.end());
-        benchmark::DoNotOptimize(result.number_of_faces());
-        countMemory(state, before, points.size());
-    }
+    section.add(input, "CGAL", [converted = std::move(converted)](Result& result) {
+        const CGAL::Delaunay_triangulation_2<Kernel> delaunay(converted.begin(), converted.end());
+        result.vertices = delaunay.number_of_vertices();
+    });
 }
-#define PEER(name, kind)                                                                           \
-    BENCHMARK_CAPTURE(cgalDelaunay, name, kind)                                                    \
-        ->Arg(1000000)                                                                             \
-        ->Unit(benchmark::kMillisecond)                                                            \
-        ->MeasureProcessCPUTime()
-#else
-#define PEER(name, kind) static_assert(true)
 #endif
 
-#define OURS_AND_PEER(name, kind)                                                                  \
-    BENCHMARK_CAPTURE(tesseraDelaunay, name, kind)                                                 \
-        ->Arg(1000000)                                                                             \
-        ->Unit(benchmark::kMillisecond)                                                            \
-        ->MeasureProcessCPUTime();                                                                 \
-    PEER(name, kind)
+#ifdef TESSERA_HAS_GEOS
+void addGeos(Section& section, const std::string& input, const Points& points)
+{
+    constexpr int kRepetitions = 1; // it takes seconds
+    const bench::GeosGeometry converted = bench::geosPoints(*points);
+    const auto run = [converted, count = points->size()](Result& result) {
+        const bench::GeosGeometry triangles = bench::geosDelaunay(converted);
+        result.vertices = triangles ? count : 0;
+    };
+    section.add(input, "GEOS", run, kRepetitions);
+}
+#endif
 
-OURS_AND_PEER(uniform, Kind::Uniform);
-OURS_AND_PEER(grid, Kind::Grid);
-OURS_AND_PEER(decimal_grid, Kind::DecimalGrid);
-OURS_AND_PEER(clusters, Kind::Clusters);
-OURS_AND_PEER(multi_scale, Kind::MultiScale);
-OURS_AND_PEER(circle, Kind::Circle);
+#ifdef TESSERA_HAS_BOOST
+void addBoost(Section& section, const std::string& input, const Points& points)
+{
+    std::vector<boost::polygon::point_data<int>> converted;
+    for (const Vec2 p : *points) {
+        converted.emplace_back(static_cast<int>(p.x), static_cast<int>(p.y));
+    }
+    section.add(input, "Boost", [converted = std::move(converted)](Result& result) {
+        boost::polygon::voronoi_diagram<double> diagram;
+        boost::polygon::construct_voronoi(converted.begin(), converted.end(), &diagram);
+        result.vertices = diagram.num_cells();
+    });
+}
+#endif
+
+std::string peers()
+{
+    std::string text;
+#ifdef TESSERA_HAS_CGAL
+    text += "CGAL " CGAL_VERSION_STR ", ";
+#endif
+#ifdef TESSERA_HAS_GEOS
+    text += "GEOS " GEOS_VERSION ", ";
+#endif
+#ifdef TESSERA_HAS_BOOST
+    text += "Boost " BOOST_LIB_VERSION ", ";
+#endif
+    return text.substr(0, std::max<std::size_t>(text.size(), 2) - 2);
+}
+
+void addInput(Section& section, const std::string& input, const Points& points, double ratio,
+              bool integers = false)
+{
+    section.add(input, "Tessera", [points](Result& result) { runTessera(result, points); });
+#ifdef TESSERA_HAS_CGAL
+    addCgal(section, input, points);
+#endif
+#ifdef TESSERA_HAS_GEOS
+    addGeos(section, input, points);
+#endif
+#ifdef TESSERA_HAS_BOOST
+    if (integers) {
+        addBoost(section, input, points);
+    }
+#endif
+    section.expect(input, {"CGAL", ratio, 120.0});
+}
 
 } // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv)
+{
+    Section section("Delaunay triangulation of a million points", peers());
+    Generator generator;
+    addInput(section, "uniform", generator.uniform(), 0.4);
+    addInput(section, "grid", generator.grid(1.0), 0.4, true);
+    addInput(section, "grid of step 0.1", generator.grid(0.1), 0.0);
+    addInput(section, "uniform integers", generator.integers(), 0.0, true);
+    addInput(section, "clusters", generator.clusters(1e-6, 1e-2), 0.5);
+    addInput(section, "equal clusters", generator.clusters(1e-3, 1e-3), 0.5);
+    addInput(section, "circle", generator.circle(), 0.65);
+    return section.run(argc, argv);
+}

@@ -2,6 +2,7 @@
 #pragma once
 
 // Replaces operator new and delete of the one executable that includes it, to measure the heap.
+// They are not inlined: the compiler would take free() for the wrong partner of new.
 
 #include <algorithm>
 #include <cstddef>
@@ -26,14 +27,18 @@ public:
         now_ += malloc_usable_size(p);
         peak_ = std::max(peak_, now_);
     }
-    static void remove(void* p) { now_ -= p != nullptr ? malloc_usable_size(p) : 0; }
+    static void release(void* p)
+    {
+        now_ -= p != nullptr ? malloc_usable_size(p) : 0;
+        std::free(p);
+    }
 
 private:
     static inline std::size_t now_ = 0;
     static inline std::size_t peak_ = 0;
 };
 
-void* operator new(std::size_t size)
+[[gnu::noinline]] void* operator new(std::size_t size)
 {
     void* p = std::malloc(size);
     if (p == nullptr) {
@@ -43,18 +48,17 @@ void* operator new(std::size_t size)
     return p;
 }
 
-void operator delete(void* p) noexcept
+[[gnu::noinline]] void operator delete(void* p) noexcept
 {
-    HeapCounter::remove(p);
-    std::free(p);
+    HeapCounter::release(p);
 }
 
-void operator delete(void* p, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept
 {
-    operator delete(p);
+    HeapCounter::release(p);
 }
 
-void* operator new(std::size_t size, std::align_val_t alignment)
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment)
 {
     const auto unit = static_cast<std::size_t>(alignment);
     void* p = std::aligned_alloc(unit, (size + unit - 1) / unit * unit);
@@ -65,12 +69,12 @@ void* operator new(std::size_t size, std::align_val_t alignment)
     return p;
 }
 
-void operator delete(void* p, std::align_val_t) noexcept
+[[gnu::noinline]] void operator delete(void* p, std::align_val_t) noexcept
 {
-    operator delete(p);
+    HeapCounter::release(p);
 }
 
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+[[gnu::noinline]] void operator delete(void* p, std::size_t, std::align_val_t) noexcept
 {
-    operator delete(p);
+    HeapCounter::release(p);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 
 // Quality meshing of one plate (unit square, five round holes, four inner lines) with uniform,
-// graded and steep size fields, from curves to the finished mesh. One line a case: triangles,
-// million triangles a second of process CPU time (stages triangulate to extract by their share of
-// the wall time), mean quality, smallest angle, 1st percentile of the triangles' smallest angles,
-// edge length / size (5 and 95 %), bytes a triangle at the heap's peak, seconds of the stages.
-//
-//     bench_quality [largest number of triangles, default 1100000] [repetitions, default 3]
+// graded and steep size fields, from curves to the finished mesh. The details show triangles,
+// million triangles a second (stages triangulate to extract), mean quality, smallest angle, 1st
+// percentile of the triangles' smallest angles, edge length / size (5 and 95 %), and targets that
+// were not met.
+
+#include "section.h"
 
 #include "base/execution.h"
 #include "curve/arc.h"
@@ -15,41 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
-#include <malloc.h>
 #include <memory>
-#include <new>
+#include <string>
 #include <vector>
-
-namespace
-{
-std::size_t heapNow = 0;
-std::size_t heapPeak = 0;
-} // namespace
-
-void* operator new(std::size_t size)
-{
-    void* p = std::malloc(size);
-    if (p == nullptr) {
-        throw std::bad_alloc();
-    }
-    heapNow += malloc_usable_size(p);
-    heapPeak = std::max(heapPeak, heapNow);
-    return p;
-}
-
-void operator delete(void* p) noexcept
-{
-    heapNow -= p != nullptr ? malloc_usable_size(p) : 0;
-    std::free(p);
-}
-
-void operator delete(void* p, std::size_t) noexcept
-{
-    operator delete(p);
-}
 
 namespace
 {
@@ -121,80 +89,53 @@ CurveNetwork plate()
     return network;
 }
 
-double cpuSeconds()
-{
-    timespec t {};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 double meshingSeconds(const StageSeconds& s)
 {
     return s.triangulate + s.recover + s.color + s.refine + s.optimize + s.extract;
 }
 
-void measureCase(const char* name, const CurveNetwork& network, const SizeField& size,
-                 double largest, int repetitions)
+void meshPlate(bench::Result& result, const CurveNetwork& network, const SizeField& size)
 {
-    MeshOptions options;
-    options.memoryLimit = largest * 250.0;
-    double best = 1e300;
-    std::size_t bytes = 0;
-    MeshResult result;
-    for (int i = 0; i < repetitions; ++i) {
-        result = {};
-        const std::size_t before = heapPeak = heapNow;
-        Execution execution;
-        const double begin = cpuSeconds();
-        try {
-            result = meshNetwork(network, size, options, execution);
-        }
-        catch (const Error& error) {
-            std::printf("%-22s left out: %s\n", name, error.what());
-            return;
-        }
-        const StageSeconds& s = result.report.seconds;
-        const double share = meshingSeconds(s) / std::max(s.total, 1e-9);
-        best = std::min(best, share * (cpuSeconds() - begin));
-        bytes = heapPeak - before;
-    }
-    const auto n = static_cast<double>(result.mesh.triangles.size());
-    const QualityReport& q = result.report.quality;
-    const StageSeconds& s = result.report.seconds;
-    std::printf("%-22s %9.0f %6.2f  %.4f %6.2f %6.2f  %.2f %.2f  %4.0f   %.3f %.3f %.3f %.3f  %zu\n",
-                name, n, 1e-6 * n / best, q.meanQuality, q.minAngle, q.angleP01,
-                q.sizeConformity.p05, q.sizeConformity.p95, static_cast<double>(bytes) / n,
-                s.triangulate + s.recover + s.color, s.refine, s.optimize, s.extract,
-                result.report.unreached.size());
-    std::fflush(stdout);
+    Execution execution;
+    const MeshResult mesh = meshNetwork(network, size, MeshOptions {}, execution);
+    const auto triangles = static_cast<double>(mesh.mesh.triangles.size());
+    const QualityReport& quality = mesh.report.quality;
+    result.vertices = mesh.mesh.nodes.size();
+    result.columns = {{"triangles", triangles},
+                      {"Mtri/s", 1e-6 * triangles / meshingSeconds(mesh.report.seconds)},
+                      {"mean q", quality.meanQuality},
+                      {"min angle", quality.minAngle},
+                      {"1 % angle", quality.angleP01},
+                      {"L/h 5 %", quality.sizeConformity.p05},
+                      {"L/h 95 %", quality.sizeConformity.p95},
+                      {"unreached", static_cast<double>(mesh.report.unreached.size())}};
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-    const double largest = argc > 1 ? std::atof(argv[1]) : 1.1e6;
-    const int repetitions = argc > 2 ? std::atoi(argv[2]) : 3;
-    const CurveNetwork network = plate();
-    const auto run = [&](const char* name, const SizeField& size) {
-        measureCase(name, network, size, largest, repetitions);
+    constexpr int kRepetitions = 3;
+    bench::Section section("Quality meshing of a plate", "");
+    const auto network = std::make_shared<const CurveNetwork>(plate());
+    const auto add = [&](const std::string& name, const std::shared_ptr<const SizeField>& size) {
+        const auto run = [=](bench::Result& result) { meshPlate(result, *network, *size); };
+        section.add(name, "Tessera", run, kRepetitions);
     };
-    std::printf("%-22s %9s %6s  %6s %6s %6s  %4s %4s  %4s   %5s %5s %5s %5s  %s\n", "case",
-                "triangles", "Mtri/s", "mean q", "min", "p01", "L/h", "95 %", "B/t", "cdt", "ref",
-                "opt", "ext", "unreached");
-    run("uniform 1e4", UniformSize(0.0142));
-    run("uniform 1e5", UniformSize(0.00449));
-    run("uniform 1e6", UniformSize(0.00142));
-    run("uniform 4e6", UniformSize(0.00071));
+    const auto uniform = [&](double h) { return std::make_shared<const UniformSize>(h); };
+    add("uniform, 10^4", uniform(0.0142));
+    add("uniform, 10^5", uniform(0.00449));
+    add("uniform, 10^6", uniform(0.00142));
     const Vec2 point {0.5, 0.3};
     const Vec2 from {0.1, 0.45};
     const Vec2 to {0.3, 0.52};
-    run("point 0.0064, 1e6", GradedSize(point, point, 5.9e-5, 0.0064));
-    run("segment 0.0153, 1e6", GradedSize(from, to, 1.3e-4, 0.0153));
-    run("point 0.02, 1.2e5", GradedSize(point, point, 1e-4, 0.02));
-    run("segment 0.05, 1e5", GradedSize(from, to, 4e-4, 0.05));
-    run("segment 0.1, 1.7e5", GradedSize(from, to, 1e-4, 0.1));
-    run("segment 0.3, 1.2e5", GradedSize(from, to, 5e-5, 0.3));
-    run("segment 0.3, 1.2e6", GradedSize(from, to, 5e-6, 0.3));
-    return 0;
+    const auto graded = [](Vec2 a, Vec2 b, double smallest, double growth) {
+        return std::make_shared<const GradedSize>(a, b, smallest, growth);
+    };
+    add("to a point, growth 0.0064", graded(point, point, 5.9e-5, 0.0064));
+    add("to a segment, growth 0.0153", graded(from, to, 1.3e-4, 0.0153));
+    add("to a segment, growth 0.05", graded(from, to, 4e-4, 0.05));
+    add("to a segment, growth 0.1", graded(from, to, 1e-4, 0.1));
+    add("to a segment, growth 0.3", graded(from, to, 5e-5, 0.3));
+    return section.run(argc, argv);
 }

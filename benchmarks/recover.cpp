@@ -1,36 +1,49 @@
 // SPDX-License-Identifier: MIT
 
 // Constrained Delaunay triangulation of crossing segments, from points and segments to the finished
-// mesh with its constraint map, against CGAL's Constrained_Delaunay_triangulation_2: with inexact
-// crossings (EPICK, Exact_predicates_tag) and with exact ones (EPECK, Exact_intersections_tag).
-// Same input, same process, process CPU time. `vertices` shows who invents or loses some;
-// `bytes_per_vertex` is the greatest growth of the heap during one run over the number of vertices.
+// mesh with its constraint map. CGAL: Constrained_Delaunay_triangulation_2, with inexact crossings
+// (EPICK, Exact_predicates_tag) and with exact ones (EPECK, Exact_intersections_tag). GEOS: noding
+// by OverlayNG, which splits the segments and makes no triangles. `vertices` shows who invents or
+// loses some.
+//
+// Both ways to recover are shown; the direct one is the default.
 
 #include "../tests/cpp/recover/generators.h"
-#include "heap_counter.h"
+#include "section.h"
 
 #include "base/execution.h"
 #include "delaunay/delaunay.h"
 #include "recover/recover.h"
 
-#include <benchmark/benchmark.h>
-
 #ifdef TESSERA_HAS_CGAL
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/version.h>
+#endif
+#ifdef TESSERA_HAS_GEOS
+#include "geos_peer.h"
 #endif
 
-#include <functional>
+#include <algorithm>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
 {
 
 using namespace tessera;
+using bench::Expectation;
+using bench::Result;
+using bench::Section;
 using test::RawPslg;
+using Input = std::shared_ptr<const RawPslg>;
 
+constexpr int kSlow = 1; ///< repetitions of what takes seconds
+
+/// Points, and short pieces of horizontal lines at different heights: none cross.
 RawPslg uniformPoints(std::size_t n, std::size_t segments)
 {
     test::Random random(5);
@@ -38,7 +51,6 @@ RawPslg uniformPoints(std::size_t n, std::size_t segments)
     for (std::size_t i = 0; i < n; ++i) {
         raw.addPoint(random.point());
     }
-    // Short pieces of horizontal lines at different heights: none cross.
     for (std::size_t i = 0; i < segments; ++i) {
         const double y = (static_cast<double>(i) + 0.5) / static_cast<double>(segments);
         const double x = random.uniform(0.0, 0.99);
@@ -47,34 +59,23 @@ RawPslg uniformPoints(std::size_t n, std::size_t segments)
     return raw;
 }
 
-void countResult(benchmark::State& state, std::size_t vertices, std::size_t heapBefore)
+void runTessera(Result& result, const RawPslg& raw, RecoveryStrategy strategy)
 {
-    state.counters["vertices"] = static_cast<double>(vertices);
-    state.counters["bytes_per_vertex"]
-        = static_cast<double>(HeapCounter::peak() - heapBefore) / static_cast<double>(vertices);
-}
-
-void runTessera(benchmark::State& state, const RawPslg& raw, RecoveryStrategy strategy)
-{
+    Execution execution;
+    DelaunayResult delaunay = triangulate(raw.points, execution);
     std::vector<ConstraintEnds> ends(raw.segments.size());
-    for (auto _ : state) {
-        const std::size_t before = HeapCounter::restart();
-        Execution execution;
-        DelaunayResult delaunay = triangulate(raw.points, execution);
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-            ends[i] = {delaunay.vertexOfPoint[raw.segments[i].first],
-                       delaunay.vertexOfPoint[raw.segments[i].second]};
-        }
-        const RecoveryResult result = recoverBoundaries(std::move(delaunay.triangulation), ends,
-                                                        strategy, execution);
-        benchmark::DoNotOptimize(result.constraints.uses.data());
-        countResult(state, result.triangulation.vertexCount(), before);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        ends[i] = {delaunay.vertexOfPoint[raw.segments[i].first],
+                   delaunay.vertexOfPoint[raw.segments[i].second]};
     }
+    const RecoveryResult recovery
+        = recoverBoundaries(std::move(delaunay.triangulation), ends, strategy, execution);
+    result.vertices = recovery.triangulation.vertexCount();
 }
 
 #ifdef TESSERA_HAS_CGAL
 template<class Kernel, class Tag>
-void runCgal(benchmark::State& state, const RawPslg& raw)
+Section::Run cgalRun(const RawPslg& raw)
 {
     std::vector<typename Kernel::Point_2> points;
     for (const Vec2 p : raw.points) {
@@ -82,41 +83,50 @@ void runCgal(benchmark::State& state, const RawPslg& raw)
     }
     const std::vector<std::pair<std::size_t, std::size_t>> segments(raw.segments.begin(),
                                                                     raw.segments.end());
-    for (auto _ : state) {
-        const std::size_t before = HeapCounter::restart();
-        CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Default, Tag> result;
-        result.insert_constraints(points.begin(), points.end(), segments.begin(), segments.end());
-        benchmark::DoNotOptimize(result.number_of_faces());
-        countResult(state, result.number_of_vertices(), before);
-    }
+    return [points, segments](Result& result) {
+        CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Default, Tag> mesh;
+        mesh.insert_constraints(points.begin(), points.end(), segments.begin(), segments.end());
+        result.vertices = mesh.number_of_vertices();
+    };
 }
 #endif
 
-void addBenchmark(const std::string& name, std::function<void(benchmark::State&)> run)
+void addInput(Section& section, const std::string& name, const RawPslg& raw,
+              const Expectation& expectation)
 {
-    benchmark::RegisterBenchmark(name.c_str(), std::move(run))
-        ->Unit(benchmark::kMillisecond)
-        ->MeasureProcessCPUTime();
-}
-
-void addInput(const std::string& name, RawPslg raw)
-{
-    addBenchmark("cavity/" + name, [raw](benchmark::State& state) {
-        runTessera(state, raw, RecoveryStrategy::Cavity);
+    const Input input = std::make_shared<const RawPslg>(raw);
+    section.add(name, "Tessera", [input](Result& result) {
+        runTessera(result, *input, RecoveryStrategy::Cavity);
     });
-    addBenchmark("steiner/" + name, [raw](benchmark::State& state) {
-        runTessera(state, raw, RecoveryStrategy::Steiner);
+    section.add(name, "Tessera, paper's way", [input](Result& result) {
+        runTessera(result, *input, RecoveryStrategy::Steiner);
     });
 #ifdef TESSERA_HAS_CGAL
-    addBenchmark("cgal_inexact/" + name, [raw](benchmark::State& state) {
-        runCgal<CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::Exact_predicates_tag>(
-            state, raw);
-    });
-    addBenchmark("cgal_exact/" + name, [raw](benchmark::State& state) {
-        runCgal<CGAL::Exact_predicates_exact_constructions_kernel, CGAL::Exact_intersections_tag>(
-            state, raw);
-    });
+    using namespace CGAL;
+    section.add(name, "CGAL inexact",
+                cgalRun<Exact_predicates_inexact_constructions_kernel, Exact_predicates_tag>(raw));
+    section.add(name, "CGAL exact",
+                cgalRun<Exact_predicates_exact_constructions_kernel, Exact_intersections_tag>(raw),
+                kSlow);
 #endif
+#ifdef TESSERA_HAS_GEOS
+    const bench::GeosGeometry lines = bench::geosLines(raw.points, raw.segments);
+    section.add(name, "GEOS noding",
+                [lines](Result&) { benchmark::DoNotOptimize(bench::geosNoding(lines)); }, kSlow);
+#endif
+    section.expect(name, expectation);
+}
+
+std::string peers()
+{
+    std::string text;
+#ifdef TESSERA_HAS_CGAL
+    text += "CGAL " CGAL_VERSION_STR ", ";
+#endif
+#ifdef TESSERA_HAS_GEOS
+    text += "GEOS " GEOS_VERSION ", ";
+#endif
+    return text.substr(0, std::max<std::size_t>(text.size(), 2) - 2);
 }
 
 } // namespace
@@ -124,16 +134,20 @@ void addInput(const std::string& name, RawPslg raw)
 int main(int argc, char** argv)
 {
     using namespace tessera::test;
-    addInput("long_1000", longSegments(1000, 1));
-    addInput("short_100000", shortSegments(100000, 1));
-    addInput("lattice_1000", lattice(1000, 100, 1));
-    addInput("points_1000000_segments_100000", uniformPoints(1000000, 100000));
-    addInput("lattice_rotated", rotated(lattice(1000, 100, 1), 0.3));
-    addInput("lattice_by_three", scaled(lattice(1000, 100, 1), 1.0 / 3.0));
-    addInput("pencil_400", pencil(400, 1e-15, 1));
-    addInput("long_shifted_2_30", shifted(longSegments(1000, 1), 0x1p30, 0x1p30));
-    addInput("long_shifted_2_34", shifted(longSegments(1000, 1), 0x1p34, 0x1p34));
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    const RawPslg longOnes = longSegments(1000, 1);
+    const RawPslg concurrent = lattice(1000, 100, 1);
+    const Expectation fast {"CGAL inexact", 0.5, 200.0};
+    const Expectation hard {"CGAL exact", 1.0, 0.0};
+    Section section("Constraints, crossing or not", peers());
+    addInput(section, "1,000 long", longOnes, fast);
+    addInput(section, "100,000 short", shortSegments(100000, 1), fast);
+    addInput(section, "lattice", concurrent, fast);
+    addInput(section, "10^6 points, 10^5 segments", uniformPoints(1000000, 100000),
+             {"CGAL inexact", 0.0, 200.0});
+    addInput(section, "lattice turned", rotated(concurrent, 0.3), hard);
+    addInput(section, "lattice by three", scaled(concurrent, 1.0 / 3.0), hard);
+    addInput(section, "pencil 1e-15 wide", pencil(400, 1e-15, 1), hard);
+    addInput(section, "1,000 long + 2^30", shifted(longOnes, 0x1p30, 0x1p30), hard);
+    addInput(section, "1,000 long + 2^34", shifted(longOnes, 0x1p34, 0x1p34), hard);
+    return section.run(argc, argv);
 }

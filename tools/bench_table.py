@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: MIT
+"""Tables of benchmark results: `bench_table.py RESULT.json... [--write FILE.md]`.
+
+Reads what the executables of benchmarks/ (benchmarks/section.h) write as JSON. Prints one table with
+a line for each input: our time, its ratio to the peers' times, bytes per vertex, targets. --write
+puts that table into a file too, with the machine, and with all engines' figures below.
+"""
+
+import argparse
+import datetime
+import json
+import os
+import platform
+import re
+from pathlib import Path
+from statistics import median
+
+HEAD = """\
+# Benchmarks
+
+Made by `tools/bench --write`, on {machine}.
+
+Medians of process CPU time; one thread; all engines of a section in one process, in random order, on the same
+input. **ratio** is Tessera's time over the peer's, **bytes** the greatest growth of the heap during the job over
+the number of vertices of its result. Absolute times drift with the machine's load, ratios much less.
+
+"""
+
+
+class Engine:
+    """The runs of one engine on one input."""
+
+    def __init__(self, name, runs):
+        self.name = name
+        self.ms = median(run["cpu_time"] for run in runs)
+        known = {"vertices", "bytes/vertex"}
+        self.vertices = runs[0].get("vertices")
+        self.bytes = max((run["bytes/vertex"] for run in runs if "bytes/vertex" in run), default=None)
+        first = list(runs[0])
+        extra = first[first.index("time_unit") + 1 :]
+        self.columns = {key: median(run[key] for run in runs) for key in extra if key not in known}
+
+
+class Case:
+    """One input with its engines, ours first, and what is expected of ours."""
+
+    def __init__(self, name, engines, expectation):
+        self.name = name
+        self.engines = engines
+        self.reference, ratio, size = (expectation or "|0|0").split("|")
+        self.ratio_target, self.bytes_target = float(ratio), float(size)
+
+    def ratio(self, engine):
+        return self.engines[0].ms / engine.ms
+
+    def find(self, name):
+        return next((engine for engine in self.engines if engine.name == name), None)
+
+
+class Section:
+    def __init__(self, path):
+        result = json.loads(Path(path).read_text())
+        context = result["context"]
+        self.title = context.get("title", Path(path).stem)
+        self.peers = context.get("peers", "")
+        self.compiler = context.get("compiler", "")
+        runs = {}
+        for run in result["benchmarks"]:
+            if run["run_type"] == "iteration" and not run.get("error_occurred"):
+                case, engine = run["name"].split("/")[:2]
+                runs.setdefault(case, {}).setdefault((run["family_index"], engine), []).append(run)
+        self.cases = [
+            Case(
+                case,
+                [Engine(name, found) for (_, name), found in sorted(engines.items())],
+                context.get(f"expect {case}"),
+            )
+            for case, engines in runs.items()
+        ]
+        first = {case: min(engines)[0] for case, engines in runs.items()}
+        self.cases.sort(key=lambda case: first[case.name])
+
+
+def number(value, digits=3):
+    """Three significant digits; whole numbers in full, with separators."""
+    if value is None:
+        return ""
+    if abs(value) >= 100 or value == int(value):
+        return f"{round(value):,}"
+    return f"{value:.{digits}g}"
+
+
+def at_most(value, target, text):
+    """The target, and whether it is reached."""
+    if not target:
+        return ""
+    return f"≤ {text(target)}{'' if value <= target else ' missed'}"
+
+
+def aligned(rows):
+    """A Markdown table that is readable as it is: first row the titles, text left, numbers right."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    left = [i == 0 or any(re.match(r"[A-Za-z]", row[i]) for row in rows[1:]) for i in range(len(widths))]
+    lines = []
+    for row in rows:
+        cells = [c.ljust(w) if l else c.rjust(w) for c, w, l in zip(row, widths, left)]
+        lines.append("| " + " | ".join(cells) + " |")
+    rule = ["-" * w if l else "-" * (w - 1) + ":" for w, l in zip(widths, left)]
+    return "\n".join([lines[0], "| " + " | ".join(rule) + " |", *lines[1:]])
+
+
+def summary(sections):
+    rows = [["input", "ms", "peer", "ratio", "target", "bytes", "target", "ratio to others"]]
+    for section in sections:
+        rows.append([f"**{section.title}**"] + [""] * 7)
+        for case in section.cases:
+            ours, reference = case.engines[0], case.find(case.reference)
+            others = [e for e in case.engines[1:] if e is not reference]
+            ratio = case.ratio(reference) if reference else None
+            rows.append(
+                [
+                    case.name,
+                    number(ours.ms),
+                    reference.name if reference else "",
+                    f"{ratio:.2g}" if reference else "",
+                    at_most(ratio, case.ratio_target, lambda t: f"{t:g}") if reference else "",
+                    number(ours.bytes),
+                    at_most(ours.bytes or 0, case.bytes_target, lambda t: f"{t:g}"),
+                    ", ".join(f"{e.name} {case.ratio(e):.2g}" for e in others),
+                ]
+            )
+    return aligned(rows)
+
+
+def details(section):
+    titles = []
+    for case in section.cases:
+        for engine in case.engines:
+            titles += [title for title in engine.columns if title not in titles]
+    rows = [["input", "engine", "ms", "vertices", "bytes", *titles]]
+    for case in section.cases:
+        for engine in case.engines:
+            rows.append(
+                [
+                    case.name if engine is case.engines[0] else "",
+                    engine.name,
+                    number(engine.ms),
+                    number(engine.vertices),
+                    number(engine.bytes),
+                    *(number(engine.columns.get(title)) for title in titles),
+                ]
+            )
+    filled = [i for i in range(len(rows[0])) if any(row[i] for row in rows[1:])]
+    return aligned([[row[i] for i in filled] for row in rows])
+
+
+def machine(sections):
+    """CPU, memory, system, compiler, peers, date."""
+    cpu = re.search(r"model name\s*:\s*(.+)", Path("/proc/cpuinfo").read_text())
+    system = re.search(r'PRETTY_NAME="(.+)"', Path("/etc/os-release").read_text())
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
+    peers = sorted({peer for section in sections for peer in section.peers.split(", ") if peer})
+    compilers = sorted({section.compiler for section in sections if section.compiler})
+    parts = [
+        (cpu.group(1) if cpu else platform.machine()) + f", {os.cpu_count()} cores",
+        f"{memory:.0f} GB",
+        system.group(1) if system else platform.system(),
+        *compilers,
+        *peers,
+        datetime.date.today().isoformat(),
+    ]
+    return "; ".join(parts)
+
+
+def document(sections):
+    parts = [HEAD.format(machine=machine(sections)), summary(sections), "\n"]
+    for section in sections:
+        parts.append(f"\n## {section.title}\n\n{details(section)}\n")
+    return "".join(parts)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("results", nargs="+")
+    parser.add_argument("--write", metavar="FILE.md")
+    arguments = parser.parse_args()
+    sections = [Section(path) for path in arguments.results]
+    print(f"\n{machine(sections)}\n\n{summary(sections)}")
+    if arguments.write:
+        Path(arguments.write).write_text(document(sections))
+
+
+if __name__ == "__main__":
+    main()
