@@ -21,6 +21,10 @@ namespace tessera
 namespace
 {
 
+/// What computing a crossing of curves that are not almost parallel errs at most, as a part of the
+/// scale; with a wide margin.
+constexpr double kRounding = 1e-12;
+
 bool isMeshed(const NetworkCurve& curve)
 {
     return curve.role != Role::Ignored;
@@ -183,30 +187,21 @@ private:
 
     void addMeetingPoints()
     {
-        for (const Contact& c : contacts_.points) {
-            addMeeting(c.curveA, c.s, c.curveB, c.t);
-        }
         for (const Stretch& s : contacts_.overlaps) {
             addMeeting(s.curveA, s.a0, s.curveB, s.b0);
             addMeeting(s.curveA, s.a1, s.curveB, s.b1);
         }
-        const std::vector<std::uint8_t> all(network_.points.size(), 1);
-        WeldResult weld = weldPoints(network_.points, all, tolerance_, execution_);
-        keepInputPoints(weld.representative);
-        centerClusters(network_.points, weld.representative, inputPoints_);
+        const std::size_t firstCrossing = network_.points.size();
+        for (const Contact& c : contacts_.points) {
+            addMeeting(c.curveA, c.s, c.curveB, c.t);
+        }
+        const WeldResult weld =
+            weldMadePoints(network_.points, {inputPoints_, firstCrossing}, tolerance_,
+                           roundingDistance(network_), execution_);
         for (const std::uint32_t p : weld.chainsLeft) {
             report_.chainsLeft.push_back({network_.points[p]});
         }
         compact(weld.representative);
-    }
-
-    /// Points of the input were welded before and stay; one that is representative of another one
-    /// would move it.
-    void keepInputPoints(std::vector<std::uint32_t>& representative) const
-    {
-        for (std::uint32_t p = 0; p < inputPoints_; ++p) {
-            representative[p] = p;
-        }
     }
 
     void compact(const std::vector<std::uint32_t>& representative)
@@ -374,7 +369,12 @@ private:
 
 double meetingDistance(const CurveNetwork& network, double weld)
 {
-    return hasCurved(network) ? std::max(1e-12 * scaleOf(network), 2e-4 * weld) : 0.0;
+    return hasCurved(network) ? std::max(kRounding * scaleOf(network), 2e-4 * weld) : 0.0;
+}
+
+double roundingDistance(const CurveNetwork& network)
+{
+    return 16.0 * kRounding * scaleOf(network);
 }
 
 void weldPointsOntoCurves(CurveNetwork& network, const ArrangeOptions& options,

@@ -10,6 +10,9 @@ namespace tessera
 /// points. 0 if all are straight, since those are decided exactly.
 double meetingDistance(const CurveNetwork& network, double weld);
 
+/// Crossings closer to each other than this are one: 16 times what computing one may err.
+double roundingDistance(const CurveNetwork& network);
+
 /// Makes points of the network that lie within the tolerance of a curve's inside points of that
 /// curve: it is cut there and passes through them. Straight curves are left to exact incidence if
 /// the tolerance is 0.
@@ -18,7 +21,7 @@ void weldPointsOntoCurves(CurveNetwork& network, const ArrangeOptions& options,
 
 /// Cuts curves where they cross, touch or overlap one another or themselves, if one of the two is
 /// not straight; straight ones among themselves are for crossStraightCurves(). Meeting places
-/// closer to each other than the weld tolerance become one point, by the rules of welding. Pieces
+/// become points by the rules of weldMadePoints(). Pieces
 /// that overlap get the same geometry, so that they are sampled alike and all their curves are
 /// kept. New points follow the old ones; counts go to report.crossed.
 ///

@@ -46,8 +46,8 @@ StraightPart recoverStraight(const CurveNetwork& network, const ArrangeOptions& 
 }
 
 /// By vertex of the recovered triangulation: its point of the network. Crossings get new points,
-/// one for all that are closer to each other than the tolerance, or the point of the input that is
-/// so close: where many lines are drawn through one place, rounding spreads their crossings.
+/// with a tolerance by the rules of weldMadePoints(): where many lines are drawn through one place,
+/// rounding spreads their crossings.
 std::vector<PointId> pointsOfVertices(CurveNetwork& network, const StraightPart& part,
                                       double tolerance, const Execution& execution)
 {
@@ -69,12 +69,14 @@ std::vector<PointId> pointsOfVertices(CurveNetwork& network, const StraightPart&
             places.push_back(positions[v]);
         }
     }
-    const std::vector<std::uint8_t> wanted(places.size(), tolerance > 0.0 ? 1 : 0);
-    const WeldResult weld = weldPoints(places, wanted, tolerance, execution);
-    centerClusters(places, weld.representative, inputPoints);
+    WeldResult weld;
+    if (tolerance > 0.0) {
+        weld = weldMadePoints(places, {inputPoints, inputPoints}, tolerance,
+                              roundingDistance(network), execution);
+    }
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const std::size_t place = inputPoints + i;
-        const std::size_t first = weld.representative[place];
+        const std::size_t first = tolerance > 0.0 ? weld.representative[place] : place;
         pointOf[crossings[i]] = first == place   ? network.addPoint(places[place])
             : first < inputPoints                ? PointId(first)
                                                  : pointOf[crossings[first - inputPoints]];
@@ -104,7 +106,8 @@ void crossStraightCurves(CurveNetwork& network, const ArrangeOptions& options,
     const std::size_t touches = report.crossed.touches;
     report.crossed = part.recovered.report;
     report.crossed.touches += touches;
-    const double tolerance = std::max(options.weld, 16.0 * meetingDistance(network, options.weld));
+    const double tolerance =
+        std::max(options.weld, 16.0 * meetingDistance(network, options.weld));
     const std::size_t inputPoints = network.points.size();
     const std::vector<PointId> pointOf = pointsOfVertices(network, part, tolerance, execution);
     report.crossed.crossings = network.points.size() - inputPoints;

@@ -243,20 +243,13 @@ private:
     std::vector<Cell> cells_;                ///< by row, then column
 };
 
-} // namespace
-
-WeldResult weldPoints(std::span<const Vec2> points, std::span<const std::uint8_t> wanted,
-                      double tolerance, const Execution& execution)
-{
-    return Welder(points, wanted, tolerance, execution).run();
-}
-
+/// Puts the representative of each cluster of points from first on at its middlemost member.
 void centerClusters(std::span<Vec2> points, std::span<const std::uint32_t> representative,
-                    std::size_t firstMade)
+                    std::size_t first)
 {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> members; // (representative, point)
-    for (auto p = static_cast<std::uint32_t>(firstMade); p < points.size(); ++p) {
-        if (representative[p] >= firstMade) {
+    for (auto p = static_cast<std::uint32_t>(first); p < points.size(); ++p) {
+        if (representative[p] >= first) {
             members.emplace_back(representative[p], p);
         }
     }
@@ -289,6 +282,41 @@ void centerClusters(std::span<Vec2> points, std::span<const std::uint32_t> repre
         }
         i = j;
     }
+}
+
+} // namespace
+
+WeldResult weldPoints(std::span<const Vec2> points, std::span<const std::uint8_t> wanted,
+                      double tolerance, const Execution& execution)
+{
+    return Welder(points, wanted, tolerance, execution).run();
+}
+
+WeldResult weldMadePoints(std::span<Vec2> points, const MadePoints& made, double tolerance,
+                          double rounding, const Execution& execution)
+{
+    const std::vector<std::uint8_t> all(points.size(), 1);
+    WeldResult result = weldPoints(points, all, tolerance, execution);
+    std::vector<std::uint8_t> crossings(points.size(), 0);
+    for (std::uint32_t p = 0; p < points.size(); ++p) {
+        if (p < made.inputCount) {
+            result.representative[p] = p; // welded before
+        }
+        else if (result.representative[p] >= made.firstCrossing) {
+            crossings[p] = 1;
+        }
+    }
+    const WeldResult close = weldPoints(points, crossings, rounding, execution);
+    for (std::uint32_t p = 0; p < points.size(); ++p) {
+        if (crossings[p] != 0) {
+            result.representative[p] = close.representative[p];
+        }
+    }
+    std::erase_if(result.chainsLeft, [&made](std::uint32_t p) { return p >= made.firstCrossing; });
+    result.chainsLeft.insert(result.chainsLeft.end(), close.chainsLeft.begin(),
+                             close.chainsLeft.end());
+    centerClusters(points, result.representative, made.firstCrossing);
+    return result;
 }
 
 } // namespace tessera

@@ -27,11 +27,20 @@ struct WeldResult
 WeldResult weldPoints(std::span<const Vec2> points, std::span<const std::uint8_t> wanted,
                       double tolerance, const Execution& execution);
 
-/// Puts the representative of each cluster of made points, from firstMade on, where its middlemost
-/// member is (nearest to the medians of both coordinates): of many crossings that are one up to
-/// rounding, those of almost parallel curves are the worst known. Clusters with a point of the
-/// input keep its place. O(n log n).
-void centerClusters(std::span<Vec2> points, std::span<const std::uint32_t> representative,
-                    std::size_t firstMade);
+/// Numbers of points in the order of what they are: of the input, ends of overlaps, crossings.
+struct MadePoints
+{
+    std::size_t inputCount;
+    std::size_t firstCrossing;
+};
+
+/// Which of the points that were made where curves meet become one. One within the weld tolerance of
+/// a point of the input, by the rule of clusters above, becomes that point; ends of overlaps within
+/// it of each other become one. Crossings stay where they are, on their curves, unless they are
+/// closer to each other than the rounding tolerance: then they are one crossing of many curves, at
+/// the middlemost place (nearest to the medians of both coordinates), since those of almost
+/// parallel curves are the worst known. Moves those representatives in points. O(n log n).
+WeldResult weldMadePoints(std::span<Vec2> points, const MadePoints& made, double tolerance,
+                          double rounding, const Execution& execution);
 
 } // namespace tessera
