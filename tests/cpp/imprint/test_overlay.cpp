@@ -139,7 +139,7 @@ TEST(Overlay, PolyReadsBackWithItsHolesAndRegions)
     const CurveNetwork written = parsePoly(formatPoly(cells), "cells.poly");
     EXPECT_EQ(written.holes.size(), 1U);
     EXPECT_EQ(written.regions.size(), 3U);
-    for (const auto [operation, area] :
+    for (const auto& [operation, area] :
          {std::pair(BooleanOperation::Union, 19.0),
           std::pair(BooleanOperation::SymmetricDifference, 15.0)}) {
         options.operation = operation;
