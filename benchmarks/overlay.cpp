@@ -11,9 +11,9 @@
 //
 // A peer that needs more than half a minute for an input is left out there.
 
-#include "imprint/overlay.h"
+#include "section.h"
 
-#include <benchmark/benchmark.h>
+#include "imprint/overlay.h"
 
 #ifdef TESSERA_HAS_CGAL
 #include <CGAL/Arr_segment_traits_2.h>
@@ -33,8 +33,9 @@
 #include <polyclipping/clipper.hpp>
 #endif
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <string>
@@ -44,6 +45,9 @@ namespace
 {
 
 using namespace tessera;
+using bench::Expectation;
+using bench::Result;
+using bench::Section;
 using Ring = std::vector<Vec2>;
 using Rings = std::vector<Ring>;
 
@@ -67,6 +71,21 @@ Ring waves(std::size_t n, Vec2 center, double amplitude, double count, double ph
         const double angle =
             2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
         const double radius = 1.0 + amplitude * std::sin(count * angle + phase);
+        ring.push_back(center + radius * Vec2 {std::cos(angle), std::sin(angle)});
+    }
+    return ring;
+}
+
+/// A circle with a random radius at each point.
+Ring rough(std::size_t n, Vec2 center, std::uint64_t seed)
+{
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    Ring ring;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double angle =
+            2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+        const double radius = 1.0 + 1e-4 * unit(random);
         ring.push_back(center + radius * Vec2 {std::cos(angle), std::sin(angle)});
     }
     return ring;
@@ -103,27 +122,17 @@ CurveNetwork networkOf(const Rings& rings)
     return network;
 }
 
-void runTessera(benchmark::State& state, const Rings& rings, BooleanOperation operation)
+Section::Run tesseraRun(const Rings& rings, BooleanOperation operation)
 {
-    const CurveNetwork network = networkOf(rings);
-    OverlayOptions options;
-    options.operation = operation;
-    for (auto _ : state) {
-        state.PauseTiming();
-        CurveNetwork input = network;
-        state.ResumeTiming();
+    return [network = networkOf(rings), operation](Result& result) {
+        OverlayOptions options;
+        options.operation = operation;
         Execution execution;
-        const OverlayResult result = overlayNetwork(std::move(input), options, execution);
-        state.counters["area"] = result.report.area;
-        state.counters["polygons"] = static_cast<double>(result.polygons.size());
-        state.counters["crossings"] = static_cast<double>(result.report.recovery.crossings);
-        const StageSeconds& s = result.report.seconds;
-        state.counters["arrange"] = s.arrange;
-        state.counters["triangulate"] = s.triangulate;
-        state.counters["recover"] = s.recover;
-        state.counters["color"] = s.color;
-        state.counters["outline"] = s.extract;
-    }
+        const OverlayResult overlay = overlayNetwork(network, options, execution);
+        result.vertices = overlay.polygons.vertices.size();
+        result.columns["area"] = overlay.report.area;
+        result.columns["polygons"] = static_cast<double>(overlay.polygons.size());
+    };
 }
 
 #ifdef TESSERA_HAS_CGAL
@@ -138,11 +147,9 @@ CGAL::Polygon_2<Exact> cgalPolygon(const Ring& ring)
     return polygon;
 }
 
-void runCgal(benchmark::State& state, const Rings& rings)
+Section::Run cgalRun(const Rings& rings)
 {
-    const auto a = cgalPolygon(rings[0]);
-    const auto b = cgalPolygon(rings[1]);
-    for (auto _ : state) {
+    return [a = cgalPolygon(rings[0]), b = cgalPolygon(rings[1])](Result& out) {
         CGAL::Polygon_set_2<Exact> set(a);
         set.intersection(b);
         std::vector<CGAL::Polygon_with_holes_2<Exact>> result;
@@ -151,11 +158,11 @@ void runCgal(benchmark::State& state, const Rings& rings)
         for (const auto& polygon : result) {
             area += CGAL::to_double(polygon.outer_boundary().area());
         }
-        state.counters["area"] = area;
-    }
+        out.columns["area"] = area;
+    };
 }
 
-void runCgalCells(benchmark::State& state, const Rings& rings)
+Section::Run cgalCellsRun(const Rings& rings)
 {
     using Arrangement = CGAL::Arrangement_2<CGAL::Arr_segment_traits_2<Exact>>;
     std::vector<Exact::Segment_2> segments;
@@ -166,13 +173,13 @@ void runCgalCells(benchmark::State& state, const Rings& rings)
             segments.emplace_back(Exact::Point_2(p.x, p.y), Exact::Point_2(q.x, q.y));
         }
     }
-    for (auto _ : state) {
+    return [segments](Result& out) {
         Arrangement arrangement;
         const std::vector<Arrangement::X_monotone_curve_2> curves(segments.begin(),
                                                                   segments.end());
         CGAL::insert(arrangement, curves.begin(), curves.end());
-        state.counters["polygons"] = static_cast<double>(arrangement.number_of_faces() - 1);
-    }
+        out.columns["polygons"] = static_cast<double>(arrangement.number_of_faces() - 1);
+    };
 }
 #endif
 
@@ -187,6 +194,12 @@ public:
     Geos(const Geos&) = delete;
     Geos& operator=(const Geos&) = delete;
     GEOSContextHandle_t context() const { return context_; }
+
+    std::shared_ptr<GEOSGeometry> own(GEOSGeometry* geometry) const
+    {
+        return {geometry,
+                [context = context_](GEOSGeometry* g) { GEOSGeom_destroy_r(context, g); }};
+    }
 
     GEOSGeometry* ring(const Ring& points) const
     {
@@ -207,46 +220,40 @@ private:
     GEOSContextHandle_t context_;
 };
 
-void runGeos(benchmark::State& state, const Rings& rings)
+Section::Run geosRun(const Rings& rings)
 {
-    const Geos geos;
-    GEOSGeometry* a = geos.polygon(rings[0]);
-    GEOSGeometry* b = geos.polygon(rings[1]);
-    for (auto _ : state) {
-        GEOSGeometry* result = GEOSIntersection_r(geos.context(), a, b);
+    const auto geos = std::make_shared<Geos>();
+    const auto a = geos->own(geos->polygon(rings[0]));
+    const auto b = geos->own(geos->polygon(rings[1]));
+    return [geos, a, b](Result& out) {
+        const auto result = geos->own(GEOSIntersection_r(geos->context(), a.get(), b.get()));
         double area = 0.0;
-        GEOSArea_r(geos.context(), result, &area);
-        state.counters["area"] = area;
-        GEOSGeom_destroy_r(geos.context(), result);
-    }
-    GEOSGeom_destroy_r(geos.context(), a);
-    GEOSGeom_destroy_r(geos.context(), b);
+        GEOSArea_r(geos->context(), result.get(), &area);
+        out.columns["area"] = area;
+    };
 }
 
-void runGeosCells(benchmark::State& state, const Rings& rings)
+Section::Run geosCellsRun(const Rings& rings)
 {
-    const Geos geos;
+    const auto geos = std::make_shared<Geos>();
     std::vector<GEOSGeometry*> lines;
     for (const Ring& ring : rings) {
-        lines.push_back(geos.ring(ring));
+        lines.push_back(geos->ring(ring));
     }
-    GEOSGeometry* all =
-        GEOSGeom_createCollection_r(geos.context(), GEOS_MULTILINESTRING, lines.data(),
-                                    static_cast<unsigned>(lines.size()));
-    for (auto _ : state) {
-        GEOSGeometry* noded = GEOSUnaryUnion_r(geos.context(), all);
-        const GEOSGeometry* list[] = {noded};
-        GEOSGeometry* cells = GEOSPolygonize_r(geos.context(), list, 1);
-        state.counters["polygons"] = GEOSGetNumGeometries_r(geos.context(), cells);
-        GEOSGeom_destroy_r(geos.context(), cells);
-        GEOSGeom_destroy_r(geos.context(), noded);
-    }
-    GEOSGeom_destroy_r(geos.context(), all);
+    const auto all = geos->own(
+        GEOSGeom_createCollection_r(geos->context(), GEOS_MULTILINESTRING, lines.data(),
+                                    static_cast<unsigned>(lines.size())));
+    return [geos, all](Result& out) {
+        const auto noded = geos->own(GEOSUnaryUnion_r(geos->context(), all.get()));
+        const GEOSGeometry* list[] = {noded.get()};
+        const auto cells = geos->own(GEOSPolygonize_r(geos->context(), list, 1));
+        out.columns["polygons"] = GEOSGetNumGeometries_r(geos->context(), cells.get());
+    };
 }
 #endif
 
 #ifdef TESSERA_HAS_BOOST
-void runBoost(benchmark::State& state, const Rings& rings)
+Section::Run boostRun(const Rings& rings)
 {
     namespace bg = boost::geometry;
     using Point = bg::model::d2::point_xy<double>;
@@ -259,18 +266,16 @@ void runBoost(benchmark::State& state, const Rings& rings)
         polygon.outer().push_back(polygon.outer().front());
         return polygon;
     };
-    const Polygon a = polygonOf(rings[0]);
-    const Polygon b = polygonOf(rings[1]);
-    for (auto _ : state) {
+    return [a = polygonOf(rings[0]), b = polygonOf(rings[1])](Result& out) {
         bg::model::multi_polygon<Polygon> result;
         bg::intersection(a, b, result);
-        state.counters["area"] = bg::area(result);
-    }
+        out.columns["area"] = bg::area(result);
+    };
 }
 #endif
 
 #ifdef TESSERA_HAS_CLIPPER
-void runClipper(benchmark::State& state, const Rings& rings)
+Section::Run clipperRun(const Rings& rings)
 {
     constexpr double kScale = 1e12; // integers of about 40 bits: doubles on the unit circle
     const auto pathOf = [](const Ring& ring) {
@@ -280,9 +285,7 @@ void runClipper(benchmark::State& state, const Rings& rings)
         }
         return path;
     };
-    const auto a = pathOf(rings[0]);
-    const auto b = pathOf(rings[1]);
-    for (auto _ : state) {
+    return [a = pathOf(rings[0]), b = pathOf(rings[1])](Result& out) {
         ClipperLib::Clipper clipper;
         clipper.AddPath(a, ClipperLib::ptSubject, true);
         clipper.AddPath(b, ClipperLib::ptClip, true);
@@ -292,51 +295,74 @@ void runClipper(benchmark::State& state, const Rings& rings)
         for (const auto* node = result.GetFirst(); node != nullptr; node = node->GetNext()) {
             area += ClipperLib::Area(node->Contour);
         }
-        state.counters["area"] = area / kScale / kScale;
-    }
+        out.columns["area"] = area / kScale / kScale;
+    };
 }
 #endif
 
-void add(const std::string& name, std::function<void(benchmark::State&)> run)
-{
-    benchmark::RegisterBenchmark(name.c_str(), std::move(run))
-        ->Unit(benchmark::kMillisecond)
-        ->MeasureProcessCPUTime();
-}
+constexpr int kSlow = 1; ///< repetitions of what takes seconds
 
-struct Peers
+std::string peers()
 {
-    bool cgal = false;
-    bool geos = false;
-    bool boost = false;
-    bool clipper = false;
-};
-
-void addIntersection(const std::string& name, const Rings& rings, [[maybe_unused]] Peers peers)
-{
-    add("tessera/" + name, [rings](benchmark::State& state) {
-        runTessera(state, rings, BooleanOperation::Intersection);
-    });
+    std::string text;
 #ifdef TESSERA_HAS_CGAL
-    if (peers.cgal) {
-        add("cgal/" + name, [rings](benchmark::State& state) { runCgal(state, rings); });
-    }
+    text += "CGAL " CGAL_VERSION_STR ", ";
 #endif
 #ifdef TESSERA_HAS_GEOS
-    if (peers.geos) {
-        add("geos/" + name, [rings](benchmark::State& state) { runGeos(state, rings); });
-    }
+    text += "GEOS " GEOS_VERSION ", ";
 #endif
 #ifdef TESSERA_HAS_BOOST
-    if (peers.boost) {
-        add("boost/" + name, [rings](benchmark::State& state) { runBoost(state, rings); });
-    }
+    text += "Boost " BOOST_LIB_VERSION ", ";
 #endif
 #ifdef TESSERA_HAS_CLIPPER
-    if (peers.clipper) {
-        add("clipper/" + name, [rings](benchmark::State& state) { runClipper(state, rings); });
-    }
+    text += "Clipper " CLIPPER_VERSION ", ";
 #endif
+    return text.substr(0, std::max<std::size_t>(text.size(), 2) - 2);
+}
+
+void addStars(Section& section, const std::string& name, const Rings& rings)
+{
+    section.add(name, "Tessera", tesseraRun(rings, BooleanOperation::Intersection));
+#ifdef TESSERA_HAS_CGAL
+    section.add(name, "CGAL", cgalRun(rings), kSlow);
+#endif
+    section.expect(name, {"CGAL", 0.2, 0.0});
+}
+
+void addWiggly(Section& section, const std::string& name, const Rings& rings)
+{
+    section.add(name, "Tessera", tesseraRun(rings, BooleanOperation::Intersection));
+#ifdef TESSERA_HAS_GEOS
+    section.add(name, "GEOS", geosRun(rings));
+#endif
+#ifdef TESSERA_HAS_BOOST
+    section.add(name, "Boost", boostRun(rings));
+#endif
+    section.expect(name, {"GEOS", 0.5, 0.0});
+}
+
+void addFew(Section& section, const std::string& name, const Rings& rings)
+{
+    section.add(name, "Tessera", tesseraRun(rings, BooleanOperation::Intersection));
+#ifdef TESSERA_HAS_GEOS
+    section.add(name, "GEOS", geosRun(rings));
+#endif
+#ifdef TESSERA_HAS_CLIPPER
+    section.add(name, "Clipper", clipperRun(rings));
+#endif
+    section.expect(name, {"Clipper", 1.0, 0.0});
+}
+
+void addCells(Section& section, const std::string& name, const Rings& rings)
+{
+    section.add(name, "Tessera", tesseraRun(rings, BooleanOperation::Cells));
+#ifdef TESSERA_HAS_CGAL
+    section.add(name, "CGAL", cgalCellsRun(rings), kSlow);
+#endif
+#ifdef TESSERA_HAS_GEOS
+    section.add(name, "GEOS", geosCellsRun(rings), kSlow);
+#endif
+    section.expect(name, {"CGAL", 0.4, 0.0});
 }
 
 } // namespace
@@ -344,29 +370,17 @@ void addIntersection(const std::string& name, const Rings& rings, [[maybe_unused
 int main(int argc, char** argv)
 {
     constexpr std::size_t kPoints = 100000;
-    const double n = static_cast<double>(kPoints);
+    const auto n = static_cast<double>(kPoints);
     const Vec2 origin;
-    addIntersection("stars", {star(kPoints, 0.0), star(kPoints, 2.0 * std::numbers::pi / n)},
-                    {.cgal = true});
-    addIntersection("wiggly",
-                    {waves(kPoints, origin, 1e-5, n / 2.0 + 0.3, 0.1),
-                     waves(kPoints, origin, 1e-5, n / 2.0 - 0.3, 1.7)},
-                    {.geos = true, .boost = true});
-    addIntersection("few",
-                    {waves(kPoints, origin, 0.1, 7.0, 0.1),
-                     waves(kPoints, {0.3, 0.2}, 0.1, 5.0, 0.5)},
-                    {.geos = true, .clipper = true});
-    const Rings polygons = overlappingPolygons(1000);
-    add("tessera/cells", [&polygons](benchmark::State& state) {
-        runTessera(state, polygons, BooleanOperation::Cells);
-    });
-#ifdef TESSERA_HAS_CGAL
-    add("cgal/cells", [&polygons](benchmark::State& state) { runCgalCells(state, polygons); });
-#endif
-#ifdef TESSERA_HAS_GEOS
-    add("geos/cells", [&polygons](benchmark::State& state) { runGeosCells(state, polygons); });
-#endif
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    Section section("Overlays of polygons with 10^5 points", peers());
+    addStars(section, "stars", {star(kPoints, 0.0), star(kPoints, 2.0 * std::numbers::pi / n)});
+    addWiggly(section, "wiggly",
+              {waves(kPoints, origin, 1e-5, n / 2.0 + 0.3, 0.1),
+               waves(kPoints, origin, 1e-5, n / 2.0 - 0.3, 1.7)});
+    addFew(section, "few crossings",
+           {waves(kPoints, origin, 0.1, 7.0, 0.1), waves(kPoints, {0.3, 0.2}, 0.1, 5.0, 0.5)});
+    addFew(section, "few crossings, rough",
+           {rough(kPoints, origin, 1), rough(kPoints, {0.3, 0.2}, 2)});
+    addCells(section, "1,000 polygons to cells", overlappingPolygons(1000));
+    return section.run(argc, argv);
 }
