@@ -51,7 +51,7 @@ struct Subsegment
 {
     std::uint32_t a;
     std::uint32_t b;
-    std::uint32_t firstUse; ///< its uses are uses[firstUse .. firstUse + useCount)
+    std::uint32_t firstUse; ///< its uses are uses[firstUse .. firstUse + useCount), by constraint
     std::uint32_t useCount;
 };
 

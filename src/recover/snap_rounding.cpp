@@ -200,12 +200,6 @@ private:
     /// In pixels: one, and half of one for rounding.
     static constexpr double kReach = 1.5;
 
-    /// A segment close to another one, at the vertex.
-    struct Neighbor
-    {
-        std::uint32_t segment;
-        std::uint32_t vertex;
-    };
     /// A piece u, v of a segment, to be led through a new vertex.
     struct Through
     {
@@ -247,12 +241,7 @@ private:
         collectClose(mesh_.incident[vertexOfInput_[segments_[s].a]], start(s), end(s));
         collectSegments(closeEdges_, s);
         std::vector<std::uint32_t> way = closeVertices_;
-        for (const Neighbor other : neighbors_) {
-            const std::uint32_t vertex = heatCrossing(s, other);
-            if (vertex != kNone) {
-                way.push_back(vertex);
-            }
-        }
+        heatCrossings(s, way);
         std::erase_if(way, [&](std::uint32_t v) {
             return !grid_.meets(start(s), end(s), mesh_.points[v]);
         });
@@ -326,31 +315,42 @@ private:
                                [&](const Chains::Use& use) {
                                    if (segmentSeen_[use.segment] != s) {
                                        segmentSeen_[use.segment] = s;
-                                       neighbors_.push_back({use.segment, mesh_.origin(edge)});
+                                       neighbors_.push_back(use.segment);
                                    }
                                });
         }
     }
 
-    /// Makes the pixel of a proper crossing hot. Returns its vertex if it was not; kNone otherwise.
-    std::uint32_t heatCrossing(std::uint32_t s, Neighbor other)
+    /// Makes the pixels of all proper crossings of the segment with its neighbors hot, and adds
+    /// those that were not to its way. In their order along it, as each is located from the last.
+    void heatCrossings(std::uint32_t s, std::vector<std::uint32_t>& way)
     {
         const Vec2 a = start(s);
         const Vec2 b = end(s);
-        const Vec2 c = start(other.segment);
-        const Vec2 d = end(other.segment);
-        // Ends on the other segment, and overlaps, have hot pixels from the beginning.
-        if (orient2d(a, b, c) * orient2d(a, b, d) >= 0
-            || orient2d(c, d, a) * orient2d(c, d, b) >= 0) {
-            return kNone;
+        centers_.clear();
+        for (const std::uint32_t other : neighbors_) {
+            const Vec2 c = start(other);
+            const Vec2 d = end(other);
+            // Ends on the other segment, and overlaps, have hot pixels from the beginning.
+            if (orient2d(a, b, c) * orient2d(a, b, d) < 0
+                && orient2d(c, d, a) * orient2d(c, d, b) < 0) {
+                const Vec2 p = crossLines(a, b, c, d).point;
+                const Vec2 center = grid_.centerOfCrossing(a, b, c, d, p);
+                if (hot_.find(center) == kNone) {
+                    centers_.push_back(center);
+                    maxDisplacement_ = std::max(maxDisplacement_, distance(p, center));
+                }
+            }
         }
-        const Vec2 p = crossLines(a, b, c, d).point;
-        const Vec2 center = grid_.centerOfCrossing(a, b, c, d, p);
-        if (hot_.find(center) != kNone) {
-            return kNone;
+        std::sort(centers_.begin(), centers_.end(), [&](Vec2 p, Vec2 q) {
+            return PixelGrid::compareAlong(a, b, p, q) < 0;
+        });
+        centers_.erase(std::unique(centers_.begin(), centers_.end()), centers_.end());
+        std::uint32_t last = vertexOfInput_[segments_[s].a];
+        for (const Vec2 center : centers_) {
+            last = heat(center, mesh_.incident[last]);
+            way.push_back(last);
         }
-        maxDisplacement_ = std::max(maxDisplacement_, distance(p, center));
-        return heat(center, mesh_.incident[other.vertex]);
     }
 
     /// Makes a pixel hot and leads all chains that meet it through its center.
@@ -461,7 +461,8 @@ private:
     std::vector<std::uint32_t> open_;
     std::vector<HalfEdge> closeEdges_;
     std::vector<std::uint32_t> closeVertices_;
-    std::vector<Neighbor> neighbors_;
+    std::vector<std::uint32_t> neighbors_; ///< segments close to another one
+    std::vector<Vec2> centers_;
     std::vector<Through> through_;
 };
 

@@ -119,6 +119,14 @@ private:
             if (!exists(s.a) || !exists(s.b) || s.a >= s.b || s.useCount == 0
                 || std::size_t {s.firstUse} + s.useCount > map_.uses.size()) {
                 problem("Subsegment ", s.a, " - ", s.b, " is malformed.");
+                continue;
+            }
+            const auto uses = map_.usesOf(s);
+            if (!std::is_sorted(uses.begin(), uses.end(),
+                                [](const ConstraintUse& p, const ConstraintUse& q) {
+                                    return p.constraint < q.constraint;
+                                })) {
+                problem("The uses of subsegment ", s.a, " - ", s.b, " are not sorted.");
             }
         }
         const auto before = [](const Subsegment& s, const Subsegment& t) {
@@ -189,14 +197,19 @@ private:
             }
         }
         const Subsegment* s = findSubsegment(std::min(u, v), std::max(u, v));
-        const bool told = s != nullptr
-            && std::any_of(map_.usesOf(*s).begin(), map_.usesOf(*s).end(),
-                           [&](const ConstraintUse& use) {
-                               return use.constraint.index() == c && use.forward == (u < v);
-                           });
-        if (!told) {
+        if (s == nullptr || !names(*s, c, u < v)) {
             problem("Subsegment ", u, " - ", v, " does not name constraint ", c, ".");
         }
+    }
+
+    bool names(const Subsegment& s, std::size_t c, bool forward) const
+    {
+        const auto uses = map_.usesOf(s);
+        const auto at = std::lower_bound(uses.begin(), uses.end(), ConstraintId(c),
+                                         [](const ConstraintUse& use, ConstraintId id) {
+                                             return use.constraint < id;
+                                         });
+        return at != uses.end() && at->constraint.index() == c && at->forward == forward;
     }
 
     const Subsegment* findSubsegment(std::uint32_t a, std::uint32_t b) const
