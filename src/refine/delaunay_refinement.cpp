@@ -24,6 +24,7 @@
 #include "refine/delaunay_refinement.h"
 
 #include "predicates/predicates.h"
+#include "refine/gaps.h"
 #include "refine/wedges.h"
 
 #include <algorithm>
@@ -38,7 +39,6 @@ namespace tessera
 namespace
 {
 
-constexpr double kSmallestPiece = 1.0 / 64.0; ///< of the size, for pieces of constrained edges
 constexpr double kSmallestDistance = 1.0 / 64.0; ///< of the spacing, between a point and a vertex
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
 constexpr std::size_t kCheckpointEvery = 256;
@@ -117,6 +117,7 @@ public:
         , report_(report)
         , execution_(execution)
         , cosineLimit_(std::cos(options.minAngle * std::numbers::pi / 180.0))
+        , hopelessGap_(hopelessGap(options.minAngle))
     {}
 
     void run(std::span<const std::uint32_t> candidates)
@@ -201,7 +202,7 @@ private:
         if (isTooLarge(s, triangle)) {
             large_.push_back(bad);
         }
-        else if (bad.badness > cosineLimit_ && !isExempt(s)) {
+        else if (bad.badness > cosineLimit_ && !isExempt(s) && !isInHopelessGap(triangle)) {
             skinny_.push(bad);
         }
     }
@@ -260,6 +261,19 @@ private:
         for (const std::uint32_t apex : {editor_.rootStart(r), editor_.rootEnd(r)}) {
             if ((apex == editor_.rootStart(q) || apex == editor_.rootEnd(q))
                 && isAcuteApex(apex) && angleAt(apex, s.v[1], s.v[2]) < kAcuteWedge) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool isInHopelessGap(std::uint32_t triangle) const
+    {
+        for (std::uint32_t side = 0; side < 3; ++side) {
+            const HalfEdge edge = Topology::halfEdge(triangle, side);
+            if (t_.isConstrained(edge) && !editor_.isFree(t_.apex(edge))
+                && gapAbove(t_, edge).width
+                    < hopelessGap_ * size_.size(t_.points[t_.apex(edge)])) {
                 return true;
             }
         }
@@ -412,6 +426,7 @@ private:
     RefineReport& report_;
     Execution& execution_;
     double cosineLimit_;
+    double hopelessGap_;
     double workLeft_ = 0.0;
     std::vector<BadTriangle> large_;
     std::priority_queue<BadTriangle> skinny_;

@@ -46,6 +46,9 @@ struct Unreached
     double target;
 };
 
+/// Constrained edges are not split into pieces shorter than this share of the size there.
+inline constexpr double kSmallestPiece = 1.0 / 64.0;
+
 struct RefineOptions
 {
     double minAngle = 30.0;        ///< degrees, 0..33

@@ -14,11 +14,16 @@
 // between the arms counts as a gap. Then the one triangle at the corner is isosceles and its
 // smallest angle is the input angle.
 //
-// Gaps lower a size to kSmallestGapSize of the field at most. Complexity: O(n log n) a round for n
+// An edge is halved in one round as often as the sizes of its ends demand; sizes measured at the
+// new vertices may demand more in the next round.
+//
+// Gaps lower a size to kSmallestPiece of the field at most; gaps so narrow that no angle there can
+// be good do not lower it. Complexity: O(n log n) a round for n
 // boundary vertices, at most kRounds rounds.
 
 #include "refine/vertex_sizes.h"
 
+#include "refine/gaps.h"
 #include "refine/wedges.h"
 
 #include <algorithm>
@@ -34,7 +39,6 @@ namespace
 {
 constexpr double kGapRatio = 0.75;
 constexpr double kLongest = 1.42;
-constexpr double kSmallestGapSize = 1.0 / 64.0;
 constexpr int kRounds = 12;
 constexpr double kEqualArms = 1.02;
 } // namespace
@@ -44,6 +48,7 @@ VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const Refine
     , t_(editor.triangulation())
     , size_(size)
     , options_(options)
+    , hopelessGap_(hopelessGap(options.minAngle))
     , areaSize_(sizeForArea(options.maxArea))
 {}
 
@@ -52,11 +57,11 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
     makeShells(report);
     for (int round = 0;; ++round) {
         execution.checkpoint();
-        h_.resize(t_.points.size());
         shell_.resize(t_.points.size(), 0.0);
-        for (std::uint32_t v = 1; v < t_.points.size(); ++v) {
-            h_[v] = fieldAt(t_.points[v]);
+        for (std::size_t v = field_.size(); v < t_.points.size(); ++v) {
+            field_.push_back(v == Topology::kInfinite ? 0.0 : fieldAt(t_.points[v]));
         }
+        h_ = field_;
         measureSpacing();
         measureGaps();
         limitGrowth();
@@ -77,9 +82,15 @@ void VertexSizes::lower(std::uint32_t vertex, double spacing)
 
 void VertexSizes::measureSpacing()
 {
+    const auto isSplit = [this](std::uint32_t v) {
+        return editor_.constMesh().origin[v] == VertexOrigin::SegmentSplit;
+    };
     for (const ConstrainedEdge& edge : editor_.mesh().edges) {
-        const double spacing
-            = std::sqrt(squaredLength(t_.points[edge.b] - t_.points[edge.a]));
+        // Pieces made here fit the sizes already; they would only make their neighbors be halved.
+        if (isSplit(edge.a) || isSplit(edge.b)) {
+            continue;
+        }
+        const double spacing = distance(t_.points[edge.a], t_.points[edge.b]);
         lower(edge.a, spacing);
         lower(edge.b, spacing);
     }
@@ -155,36 +166,44 @@ bool VertexSizes::isShellEdge(std::uint32_t a, std::uint32_t b) const
         || (shell_[b] > 0.0 && l <= 1.05 * shell_[b]);
 }
 
+bool VertexSizes::isInHopelessGap(std::uint32_t triangle) const
+{
+    for (std::uint32_t side = 0; side < 3; ++side) {
+        const HalfEdge edge = Topology::halfEdge(triangle, side);
+        if (t_.isConstrained(edge)
+            && gapAbove(t_, edge).width < hopelessGap_ * field_[t_.apex(edge)]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void VertexSizes::measureGaps()
 {
     const auto lowerToGap = [this](std::uint32_t v, double gap) {
-        lower(v, std::max(gap, kSmallestGapSize * fieldAt(t_.points[v])));
+        lower(v, std::max(gap, kSmallestPiece * field_[v]));
     };
     for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
-        if (!editor_.isKept(i)) {
+        if (!editor_.isKept(i) || isInHopelessGap(i)) {
             continue;
         }
         for (std::uint32_t side = 0; side < 3; ++side) {
             const HalfEdge h = Topology::halfEdge(i, side);
             const std::uint32_t a = t_.origin(h);
             const std::uint32_t b = t_.destination(h);
-            const std::uint32_t c = t_.apex(h);
-            const Vec2 along = t_.points[b] - t_.points[a];
-            const double l = std::sqrt(squaredLength(along));
+            const double l = std::sqrt(squaredLength(t_.points[b] - t_.points[a]));
             if (!t_.isConstrained(h)) {
                 lowerToGap(a, l);
                 lowerToGap(b, l);
                 continue;
             }
-            const Vec2 toApex = t_.points[c] - t_.points[a];
-            const double foot = dot(toApex, along) / (l * l);
+            const Gap gap = gapAbove(t_, h);
             const bool atCorner = (shell_[a] > 0.0 && t_.isConstrained(Topology::prev(h)))
                 || (shell_[b] > 0.0 && t_.isConstrained(Topology::next(h)));
-            if (foot > 0.0 && foot < 1.0 && !atCorner) {
-                const double gap = cross(along, toApex) / l;
-                for (const std::uint32_t v : {a, b, c}) {
-                    lowerToGap(v, gap);
-                }
+            if (!atCorner) {
+                lowerToGap(a, gap.width + kGrowth * gap.foot * l);
+                lowerToGap(b, gap.width + kGrowth * (1.0 - gap.foot) * l);
+                lowerToGap(t_.apex(h), gap.width);
             }
         }
     }
@@ -200,16 +219,29 @@ void VertexSizes::limitGrowth()
             if (u == Topology::kInfinite || h_[u] <= h_[v] || !isBesideKept(edge)) {
                 return;
             }
-            const double reach = kGrowth * std::sqrt(squaredLength(t_.points[u] - t_.points[v]));
-            const double limit = h_[v] + reach;
+            const double limit = h_[v] + kGrowth * distance(t_.points[u], t_.points[v]);
             if (limit < h_[u]) {
                 h_[u] = limit;
                 queue.emplace(limit, u);
             }
         });
     };
-    for (std::uint32_t v = 1; v < t_.points.size(); ++v) {
-        lowerNeighbors(v);
+    // Most vertices lower no other: one pass in the order of memory finds those that do.
+    for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
+        if (!editor_.isKept(i)) {
+            continue;
+        }
+        for (std::uint32_t side = 0; side < 3; ++side) {
+            const HalfEdge edge = Topology::halfEdge(i, side);
+            std::uint32_t low = t_.origin(edge);
+            std::uint32_t high = t_.destination(edge);
+            if (h_[low] > h_[high]) {
+                std::swap(low, high);
+            }
+            if (h_[low] + kGrowth * distance(t_.points[low], t_.points[high]) < h_[high]) {
+                queue.emplace(h_[low], low);
+            }
+        }
     }
     while (!queue.empty()) {
         const Entry top = queue.top();
@@ -235,17 +267,42 @@ std::size_t VertexSizes::splitLongEdges(RefineReport& report)
 {
     std::size_t splits = 0;
     const std::size_t count = editor_.mesh().edges.size();
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces;
     for (std::size_t i = 0; i < count; ++i) {
         const ConstrainedEdge edge = editor_.mesh().edges[i];
-        const HalfEdge h = t_.findEdge(edge.a, edge.b);
-        const double l = std::sqrt(squaredLength(t_.points[edge.b] - t_.points[edge.a]));
-        if (l > kLongest * 0.5 * (h_[edge.a] + h_[edge.b]) && isBesideKept(h)
-            && !isShellEdge(edge.a, edge.b) && editor_.splitEdge(h, 0.5) != MeshEditor::kNone) {
-            ++splits;
+        pieces.assign(1, {edge.a, edge.b});
+        while (!pieces.empty()) {
+            const auto [a, b] = pieces.back();
+            pieces.pop_back();
+            const double l = distance(t_.points[a], t_.points[b]);
+            if (!(l > kLongest * 0.5 * (h_[a] + h_[b])) || isShellEdge(a, b)) {
+                continue;
+            }
+            const HalfEdge h = t_.findEdge(a, b);
+            const std::uint32_t v = isWorthSplitting(h) ? editor_.splitEdge(h, 0.5) : MeshEditor::kNone;
+            if (v != MeshEditor::kNone) {
+                ++splits;
+                shell_.push_back(0.0);
+                field_.push_back(fieldAt(t_.points[v]));
+                h_.push_back(std::min(field_[v], std::min(h_[a], h_[b]) + 0.5 * kGrowth * l));
+                pieces.emplace_back(a, v);
+                pieces.emplace_back(v, b);
+            }
         }
     }
     report.segmentSplits += splits;
     return splits;
+}
+
+bool VertexSizes::isWorthSplitting(HalfEdge h) const
+{
+    for (const HalfEdge side : {h, t_.twin(h)}) {
+        const std::uint32_t triangle = Topology::triangleOf(side);
+        if (editor_.isKept(triangle) && !isInHopelessGap(triangle)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 bool VertexSizes::isBesideKept(HalfEdge h) const

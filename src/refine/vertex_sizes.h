@@ -56,8 +56,10 @@ private:
     void makeShells(RefineReport& report);
     double shellRadius(std::uint32_t v, const std::vector<std::uint32_t>& ends) const;
     bool isShellEdge(std::uint32_t a, std::uint32_t b) const;
+    bool isWorthSplitting(HalfEdge h) const;
     bool isBesideKept(HalfEdge h) const;
     void measureSpacing();
+    bool isInHopelessGap(std::uint32_t triangle) const;
     void measureGaps();
     void limitGrowth();
     double leastPieces() const;
@@ -68,7 +70,9 @@ private:
     const Triangulation& t_;
     const SizeField& size_;
     const RefineOptions& options_;
+    double hopelessGap_;
     double areaSize_;
+    std::vector<double> field_; ///< by vertex of the boundary: the size field there
     std::vector<double> h_;     ///< by vertex
     std::vector<double> shell_; ///< by vertex: radius around a corner below 60 degrees, else <= 0
 };

@@ -175,7 +175,7 @@ TEST(Refine, MoreTrianglesThanAllowedAreRefused)
     RefineOptions options;
     options.maxTriangles = 1000.0;
     Domain flat; // the gap divides its sides far below the size
-    flat.addPolygon({{0, 0}, {1, 0}, {0.5, 1e-9}}, &size);
+    flat.addPolygon({{0, 0}, {1, 0}, {0.5, 1e-3}}, &size);
     Domain square;
     square.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
     for (const Domain& d : {flat, square}) {
@@ -207,6 +207,31 @@ TEST(Refine, EstimateCountsAreaLimits)
             EXPECT_NEAR(estimate / made, 1.0, 0.4) << area;
         }
     }
+}
+
+TEST(Refine, HopelessGapIsNotDivided)
+{
+    const UniformSize size(0.1);
+    Domain d;
+    d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+    for (int i = 0; i < 4; ++i) {
+        d.addLine({0.2 + 0.01 * i, 0.5 + 1e-9 * i}, {0.8, 0.5 + 1e-9 * i}, &size);
+    }
+    const Refined r = refineDomain(d, size);
+    expectValid(r);
+    EXPECT_LE(r.figures.triangles, 8000U);
+    EXPECT_LE(r.report.unreached.size(), 1300U);
+}
+
+TEST(Refine, AShortEdgeIsFeltNearbyOnly)
+{
+    const UniformSize size(10.0);
+    Domain d;
+    d.addPolygon({{0, 1e-4}, {1e-4, 0}, {1000, 0}, {1000, 10}, {0, 10}}, &size);
+    const Refined r = refineDomain(d, size);
+    expectValid(r);
+    EXPECT_GE(r.figures.minAngle, 30.0);
+    EXPECT_LE(r.figures.triangles, 1500U);
 }
 
 TEST(Refine, ManyLinesThroughOnePoint)
