@@ -12,8 +12,6 @@
 
 #include "delaunay/spatial_sort.h"
 
-#include "base/box2.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -119,11 +117,11 @@ public:
         , order_(points.size())
     {}
 
-    std::vector<std::uint32_t> run()
+    std::vector<std::uint32_t> run(const Box2& box)
     {
         const std::uint32_t count = rounds();
         const std::uint32_t bits = gridBits(points_.size());
-        setKeys(points_, 0, bits);
+        setKeys(points_, box, 0, bits);
         for (std::size_t i = 0; i < points_.size() && count > 1; ++i) {
             const auto zeros = static_cast<std::uint32_t>(std::countr_zero(mix(i + 1)));
             const std::uint32_t round = count - 1 - std::min(zeros / kRatioBits, count - 1);
@@ -156,13 +154,11 @@ private:
         return count < kSmallRange ? (log + 3) / 2 : kMaxBits;
     }
 
-    /// Sets the items from `begin` on to the points' cells and numbers. False if there is one cell.
-    bool setKeys(std::span<const Vec2> points, std::size_t begin, std::uint32_t bits)
+    /// Sets the items from `begin` on to the points' cells in the box and their numbers. False if
+    /// there is one cell.
+    bool setKeys(std::span<const Vec2> points, const Box2& box, std::size_t begin,
+                 std::uint32_t bits)
     {
-        Box2 box;
-        for (const Vec2 p : points) {
-            box.add(p);
-        }
         const double side = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
         const double scale = side > 0.0 ? static_cast<double>(1U << bits) / side : 0.0;
         const auto last = static_cast<std::int32_t>((1U << bits) - 1);
@@ -191,6 +187,7 @@ private:
     /// Stable.
     void radixSort(std::size_t begin, std::size_t end, std::uint32_t keyBits)
     {
+        constexpr std::uint32_t kMaxPasses = (2 * kMaxBits + kRoundBits + kRadixBits - 1) / kRadixBits;
         const std::uint32_t passes = (keyBits + kRadixBits - 1) / kRadixBits;
         const std::uint32_t mask = (1U << kRadixBits) - 1;
         const std::size_t count = end - begin;
@@ -199,18 +196,19 @@ private:
         }
         Item* from = items_.get() + begin;
         Item* to = scratch_.get();
-        for (std::uint32_t pass = 0; pass < passes; ++pass) {
-            const std::uint32_t shift = pass * kRadixBits;
-            std::array<std::uint32_t, mask + 1> starts {};
-            for (std::size_t i = 0; i < count; ++i) {
-                ++starts[(from[i].key >> shift) & mask];
+        std::array<std::array<std::uint32_t, mask + 1>, kMaxPasses> starts {};
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::uint32_t pass = 0; pass < kMaxPasses; ++pass) {
+                ++starts[pass][(from[i].key >> (pass * kRadixBits)) & mask];
             }
+        }
+        for (std::uint32_t pass = 0; pass < passes; ++pass) {
             std::uint32_t sum = 0;
-            for (std::uint32_t& start : starts) {
+            for (std::uint32_t& start : starts[pass]) {
                 sum += std::exchange(start, sum);
             }
             for (std::size_t i = 0; i < count; ++i) {
-                to[starts[(from[i].key >> shift) & mask]++] = from[i];
+                to[starts[pass][(from[i].key >> (pass * kRadixBits)) & mask]++] = from[i];
             }
             std::swap(from, to);
         }
@@ -240,7 +238,12 @@ private:
     {
         const std::size_t count = end - begin;
         const std::uint32_t bits = gridBits(count);
-        if (!setKeys(sorted_.subspan(begin, count), begin, bits)) {
+        const auto points = sorted_.subspan(begin, count);
+        Box2 box;
+        for (const Vec2 p : points) {
+            box.add(p);
+        }
+        if (!setKeys(points, box, begin, bits)) {
             return;
         }
         sortItems(begin, end, 2 * bits);
@@ -266,9 +269,10 @@ private:
 
 } // namespace
 
-std::vector<std::uint32_t> sortForInsertion(std::span<const Vec2> points, std::span<Vec2> sorted)
+std::vector<std::uint32_t> sortForInsertion(std::span<const Vec2> points, const Box2& box,
+                                            std::span<Vec2> sorted)
 {
-    return SpatialSort(points, sorted).run();
+    return SpatialSort(points, sorted).run(box);
 }
 
 } // namespace tessera

@@ -56,12 +56,8 @@ int commonUnit(std::span<const Vec2> points, int limit)
     return unit;
 }
 
-StaticFilter makeStaticFilter(std::span<const Vec2> points)
+StaticFilter makeStaticFilter(std::span<const Vec2> points, const Box2& box)
 {
-    Box2 box;
-    for (const Vec2 p : points) {
-        box.add(p);
-    }
     const double side = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
     const double bound
         = 2.0 * exact::kOrientBound * (1.0 + 8.0 * exact::kUnit) * side * side + exact::kUnderflow;
@@ -76,12 +72,10 @@ StaticFilter makeStaticFilter(std::span<const Vec2> points)
 
 /// The power of two that brings coordinates near 1 if they are so great or small that squares of
 /// areas would leave the range where the filters decide; 0 if they are not.
-int filterScale(std::span<const Vec2> points)
+int filterScale(const Box2& box)
 {
-    double greatest = 0.0;
-    for (const Vec2 p : points) {
-        greatest = std::max({greatest, std::fabs(p.x), std::fabs(p.y)});
-    }
+    const double greatest = std::max({std::fabs(box.min.x), std::fabs(box.min.y),
+                                      std::fabs(box.max.x), std::fabs(box.max.y)});
     const int exponent = greatest > 0.0 ? exponentOf(greatest) : 0;
     return std::abs(exponent) > 64 ? -exponent : 0;
 }
@@ -93,10 +87,13 @@ public:
         : points_(points)
         , execution_(execution)
     {
+        for (const Vec2 p : points) {
+            box_.add(p);
+        }
         t().points.resize(points.size() + 1);
-        order_ = sortForInsertion(points, std::span(t().points).subspan(1));
+        order_ = sortForInsertion(points, box_, std::span(t().points).subspan(1));
         result_.vertexOfPoint.resize(points.size());
-        scale_ = filterScale(points);
+        scale_ = points.empty() ? 0 : filterScale(box_);
         scalePoints(scale_);
     }
 
@@ -122,10 +119,13 @@ private:
     /// Multiplies all points by a power of two: exact, since they stay within kMaxSpan of 1.
     void scalePoints(int power)
     {
+        const auto scale = [power](Vec2& p) {
+            p = {std::ldexp(p.x, power), std::ldexp(p.y, power)};
+        };
         if (power != 0) {
-            for (Vec2& p : t().points) {
-                p = {std::ldexp(p.x, power), std::ldexp(p.y, power)};
-            }
+            std::for_each(t().points.begin(), t().points.end(), scale);
+            scale(box_.min);
+            scale(box_.max);
         }
     }
 
@@ -186,7 +186,7 @@ private:
     void insertAll()
     {
         const std::size_t n = order_.size();
-        filter_ = makeStaticFilter(std::span(t().points).subspan(1));
+        filter_ = makeStaticFilter(std::span(t().points).subspan(1), box_);
         Cavity<CavityMode::Bulk> cavity(t(), filter_.exactSquare);
         std::uint32_t vertex = 4;
         HalfEdge hint = 0;
@@ -210,42 +210,60 @@ private:
         t().points.resize(vertex);
     }
 
-    /// Visibility walk. The static filter decides most steps.
+    /// Visibility walk from a finite triangle. The static filter decides most steps.
     Location walk(Vec2 p, std::uint32_t triangle)
     {
         const double bound = filter_.orientBound;
-        for (;;) {
-            const Topology::Triangle& record = t().triangles[triangle];
-            const Vec2 a = t().points[record.v[0]] - p;
-            const Vec2 b = t().points[record.v[1]] - p;
-            const Vec2 c = t().points[record.v[2]] - p;
-            const double side[3] = {cross(b, c), cross(c, a), cross(a, b)};
-            std::uint32_t exit = side[1] < side[0] ? 1 : 0;
-            exit = side[2] < side[exit] ? 2 : exit;
-            if (side[exit] > bound) {
-                return {Location::Kind::Triangle, Topology::halfEdge(triangle, 0)};
-            }
-            if (side[exit] >= -bound) {
-                int sign[3];
-                exit = exactSigns(p, triangle, sign);
-                if (exit == 3) {
-                    return placeInTriangle(triangle, sign);
-                }
-            }
-            const HalfEdge across = t().twin(Topology::halfEdge(triangle, exit));
-            if (t().apex(across) == Topology::kInfinite) {
-                return {Location::Kind::Triangle, across};
-            }
-            triangle = Topology::triangleOf(across);
+        const std::vector<Vec2>& points = t().points;
+        // Of the triangle at hand: the side behind which p is not, strictly, and its ends.
+        HalfEdge entered = Topology::halfEdge(triangle, 0);
+        int side = sideOf(p, entered);
+        while (side == 0) {
+            entered = Topology::next(entered);
+            side = sideOf(p, entered);
         }
+        entered = side > 0 ? entered : t().twin(entered);
+        Vec2 from = points[t().origin(entered)] - p;
+        Vec2 to = points[t().destination(entered)] - p;
+        for (;;) {
+            const std::uint32_t apex = t().apex(entered);
+            if (apex == Topology::kInfinite) {
+                return {Location::Kind::Triangle, entered};
+            }
+            const Vec2 tip = points[apex] - p;
+            const double ahead = cross(to, tip);
+            const double behind = cross(tip, from);
+            const double least = std::min(ahead, behind);
+            if (least > bound) {
+                return {Location::Kind::Triangle, entered};
+            }
+            if (least < -bound) {
+                const bool next = ahead < behind;
+                entered = t().twin(next ? Topology::next(entered) : Topology::prev(entered));
+                (next ? from : to) = tip;
+                continue;
+            }
+            int sign[3];
+            const std::uint32_t exit = exactSigns(p, Topology::triangleOf(entered), sign);
+            if (exit == 3) {
+                return placeInTriangle(Topology::triangleOf(entered), sign);
+            }
+            entered = t().twin(Topology::halfEdge(Topology::triangleOf(entered), exit));
+            from = points[t().origin(entered)] - p;
+            to = points[t().destination(entered)] - p;
+        }
+    }
+
+    int sideOf(Vec2 p, HalfEdge edge)
+    {
+        return orient2d(t().points[t().origin(edge)], t().points[t().destination(edge)], p);
     }
 
     /// The exact orientations of p to the sides; returns the first negative one or 3.
     std::uint32_t exactSigns(Vec2 p, std::uint32_t triangle, int (&sign)[3])
     {
         for (std::uint32_t i = 0; i < 3; ++i) {
-            const HalfEdge edge = Topology::halfEdge(triangle, i);
-            sign[i] = orient2d(t().points[t().origin(edge)], t().points[t().destination(edge)], p);
+            sign[i] = sideOf(p, Topology::halfEdge(triangle, i));
             if (sign[i] < 0) {
                 return i;
             }
@@ -286,6 +304,7 @@ private:
         std::uint32_t position; ///< in order_
         std::uint32_t vertex;
     };
+    Box2 box_; ///< of the points, scaled as they are
     StaticFilter filter_ {};
     int scale_ = 0; ///< of the points while the triangulation is built
     std::vector<Duplicate> duplicates_;
