@@ -78,7 +78,7 @@ public:
     Points grid(double step)
     {
         return make([step](std::size_t i) {
-            return Vec2 {step * static_cast<double>(i % 1000), step * static_cast<double>(i / 1000)};
+            return step * Vec2 {static_cast<double>(i % 1000), static_cast<double>(i / 1000)};
         });
     }
     /// 100 clusters whose normal deviations run from the first to the last.

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Tables of benchmark results: `bench_table.py RESULT.json... [--write FILE.md]`.
 
-Reads what the executables of benchmarks/ (benchmarks/section.h) write as JSON. Prints one table with
-a line for each input: our time, its ratio to the peers' times, bytes per vertex, targets. --write
-puts that table into a file too, with the machine, and with all engines' figures below.
+Reads what the executables of benchmarks/ (benchmarks/section.h) write as JSON. Prints one table
+with a line for each input: our time, its ratio to the peers' times, bytes per vertex, targets.
+--write puts that table into a file too, with the machine, and with all engines' figures below.
 """
 
 import argparse
@@ -20,9 +20,10 @@ HEAD = """\
 
 Made by `tools/bench --write`, on {machine}.
 
-Medians of process CPU time; one thread; all engines of a section in one process, in random order, on the same
-input. **ratio** is Tessera's time over the peer's, **bytes** the greatest growth of the heap during the job over
-the number of vertices of its result. Absolute times drift with the machine's load, ratios much less.
+Medians of process CPU time (seven runs, one of what takes seconds); one thread; all engines of a
+section in one process, in random order, on the same input. **ratio** is Tessera's time over the
+peer's, **bytes** the greatest growth of the heap during the job over the number of vertices of its
+result. Absolute times drift with the machine's load, ratios less.
 
 """
 
@@ -35,7 +36,7 @@ class Engine:
         self.ms = median(run["cpu_time"] for run in runs)
         known = {"vertices", "bytes/vertex"}
         self.vertices = runs[0].get("vertices")
-        self.bytes = max((run["bytes/vertex"] for run in runs if "bytes/vertex" in run), default=None)
+        self.bytes = max((run.get("bytes/vertex", 0) for run in runs), default=0) or None
         first = list(runs[0])
         extra = first[first.index("time_unit") + 1 :]
         self.columns = {key: median(run[key] for run in runs) for key in extra if key not in known}
@@ -98,9 +99,13 @@ def at_most(value, target, text):
 
 
 def aligned(rows):
-    """A Markdown table that is readable as it is: first row the titles, text left, numbers right."""
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    left = [i == 0 or any(re.match(r"[A-Za-z]", row[i]) for row in rows[1:]) for i in range(len(widths))]
+    """A Markdown table that is readable as it is: titles first; text left, numbers right."""
+    columns = list(zip(*rows))
+    widths = [max(map(len, column)) for column in columns]
+    left = [
+        i == 0 or any(re.match(r"[A-Za-z]", cell) for cell in column[1:])
+        for i, column in enumerate(columns)
+    ]
     lines = []
     for row in rows:
         cells = [c.ljust(w) if l else c.rjust(w) for c, w, l in zip(row, widths, left)]

@@ -187,7 +187,8 @@ private:
     /// Stable.
     void radixSort(std::size_t begin, std::size_t end, std::uint32_t keyBits)
     {
-        constexpr std::uint32_t kMaxPasses = (2 * kMaxBits + kRoundBits + kRadixBits - 1) / kRadixBits;
+        constexpr std::uint32_t kMaxKeyBits = 2 * kMaxBits + kRoundBits;
+        constexpr std::uint32_t kMaxPasses = (kMaxKeyBits + kRadixBits - 1) / kRadixBits;
         const std::uint32_t passes = (keyBits + kRadixBits - 1) / kRadixBits;
         const std::uint32_t mask = (1U << kRadixBits) - 1;
         const std::size_t count = end - begin;
