@@ -8,6 +8,7 @@
 #include "imprint/overlay_mesh.h"
 #include "io/atomic_file.h"
 #include "io/overlay_files.h"
+#include "io/overlay_pictures.h"
 #include "io/overlay_report.h"
 #include "io/read_network.h"
 #include "vtk/mesh_file.h"
@@ -34,6 +35,7 @@ struct OverlayArguments
     RecoveryStrategy recovery = RecoveryStrategy::Cavity;
     std::optional<double> weld;
     std::optional<double> timeLimit;
+    std::string stages;
     std::string report;
     bool quiet = false;
 };
@@ -86,6 +88,8 @@ void addOptions(CLI::App& command, OverlayArguments& a)
         ->transform(namesOnly(kStrategies))
         ->type_name("STRATEGY");
     command.add_option("--time-limit", a.timeLimit, "Seconds after which to give up");
+    command.add_option("--stages", a.stages, "Folder for a picture of each stage")
+        ->type_name("DIR");
     command.add_option("--report", a.report, "File for the report, JSON");
     command.add_flag("--quiet", a.quiet, "Print nothing but errors");
 }
@@ -133,6 +137,11 @@ int runOverlay(const OverlayArguments& a)
         reportFile.emplace(a.report);
     }
 
+    std::unique_ptr<OverlayPictures> stages;
+    if (!a.stages.empty()) {
+        stages = std::make_unique<OverlayPictures>(a.stages);
+    }
+
     Inputs inputs = readInputs(a.inputs, {});
     execution.checkpoint();
     OverlayOptions options;
@@ -142,7 +151,11 @@ int runOverlay(const OverlayArguments& a)
     options.recovery = a.recovery;
     options.weld = a.weld.value_or(inputs.defaultWeld);
     const double read = elapsed();
-    OverlayResult result = overlayNetwork(std::move(inputs.network), options, execution);
+    OverlayResult result = overlayNetwork(std::move(inputs.network), options, execution,
+                                          stages.get());
+    if (stages) {
+        stages->colored(result);
+    }
     const double overlaid = elapsed();
     execution.checkpoint();
     writeResult(result, a);

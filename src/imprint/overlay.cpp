@@ -32,9 +32,11 @@ bool isStraight(const CurveNetwork& network)
 class Overlay
 {
 public:
-    Overlay(CurveNetwork network, const OverlayOptions& options, Execution& execution)
+    Overlay(CurveNetwork network, const OverlayOptions& options, Execution& execution,
+            StageObserver* stages)
         : options_(options)
         , execution_(execution)
+        , stages_(stages)
     {
         result_.input = std::move(network);
     }
@@ -137,6 +139,10 @@ private:
         result_.rectangle = makeInitialRectangle(box);
         delaunay_ = triangulate(result_.pslg.points, execution_);
         lap(result_.report.seconds.triangulate);
+        if (stages_ != nullptr) {
+            stages_->initialRectangle(result_.rectangle);
+            stages_->pointsInserted(delaunay_.triangulation, result_.rectangle);
+        }
     }
 
     void recoverStage()
@@ -149,7 +155,7 @@ private:
                             delaunay_.vertexOfPoint[segment.b.index()]});
         }
         result_.recovered = recoverBoundaries(std::move(delaunay_.triangulation), ends,
-                                              options_.recovery, execution_);
+                                              options_.recovery, execution_, stages_);
         addRecovery(result_.recovered.report);
         noteOrigins();
         lap(result_.report.seconds.recover);
@@ -226,6 +232,7 @@ private:
 
     OverlayOptions options_;
     Execution& execution_;
+    StageObserver* stages_;
     Clock::time_point begin_ = Clock::now();
     Clock::time_point last_ = begin_;
     std::size_t firstCrossing_ = 0; ///< among the points of the arranged network
@@ -278,9 +285,9 @@ CurvesThroughVertices::CurvesThroughVertices(const OverlayResult& result)
 }
 
 OverlayResult overlayNetwork(CurveNetwork network, const OverlayOptions& options,
-                             Execution& execution)
+                             Execution& execution, StageObserver* stages)
 {
-    return Overlay(std::move(network), options, execution).run();
+    return Overlay(std::move(network), options, execution, stages).run();
 }
 
 } // namespace tessera

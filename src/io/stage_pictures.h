@@ -39,10 +39,13 @@ public:
     /// Seconds spent on drawing so far: no part of the stages' times.
     double seconds() const { return seconds_; }
 
-private:
+protected:
+    const Box2& domain() const { return domain_; }
+    /// Writes what draw() draws as .svg and .png.
     void save(const std::string& name, const Box2& view, const std::string& caption,
               const std::function<void(Canvas&)>& draw);
 
+private:
     std::filesystem::path folder_;
     InitialRectangle rectangle_ {};
     Box2 domain_; ///< of all points

@@ -149,6 +149,29 @@ TEST_F(OverlayCommand, OtherFormatsAndTheReportsKeys)
     EXPECT_LE(stages, report.at("seconds").at("total").get<double>() * 1.0001);
 }
 
+TEST_F(OverlayCommand, PicturesOfThePapersFigures)
+{
+    const std::filesystem::path examples =
+        std::filesystem::path(TESSERA_SOURCE_DIR) / "resources" / "examples";
+    const json polygons = overlay(
+        {(examples / "two_polygons.wkt").string(), "--op", "cells", "--stages", "two"});
+    EXPECT_EQ(polygons.at("crossings"), 2);
+    EXPECT_EQ(polygons.at("cells").size(), 3U);
+    const json star = overlay(
+        {(examples / "self_intersecting.wkt").string(), "--op", "cells", "--stages", "star"});
+    EXPECT_EQ(star.at("crossings"), 15);
+    // Five tips, five arms within the square, six parts of the square only.
+    EXPECT_EQ(star.at("cells").size(), 16U);
+    for (const std::string folder : {"two", "star"}) {
+        for (const std::string name :
+             {"0-loops", "1-rectangle", "2-points", "3-before-recovery", "4-recovered", "5-colors",
+              "5-theta-o", "5-theta-t", "5-theta-s"}) {
+            EXPECT_TRUE(program.has(folder + "/" + name + ".svg"));
+            EXPECT_TRUE(program.has(folder + "/" + name + ".png"));
+        }
+    }
+}
+
 TEST_F(OverlayCommand, WhatIsWrongIsSaidInOneLine)
 {
     program.give("two.wkt", kTwo);
