@@ -37,24 +37,34 @@ void require(bool ok, const char* message)
     }
 }
 
-/// Adds the time since the last call to a stage.
+/// Adds the time since the last call to a stage. Stands still while the observer is at work.
 class Stopwatch
 {
 public:
+    explicit Stopwatch(const StageObserver* observer)
+        : observer_(observer)
+        , beforeObserver_(observed())
+    {}
+
     void lap(double& stage)
     {
-        const auto now = std::chrono::steady_clock::now();
-        stage += std::chrono::duration<double>(now - last_).count();
+        const double now = total();
+        stage += now - last_;
         last_ = now;
     }
     double total() const
     {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+        const auto elapsed = std::chrono::steady_clock::now() - begin_;
+        return std::chrono::duration<double>(elapsed).count() - (observed() - beforeObserver_);
     }
 
 private:
+    double observed() const { return observer_ == nullptr ? 0.0 : observer_->seconds(); }
+
+    const StageObserver* observer_;
+    double beforeObserver_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-    std::chrono::steady_clock::time_point last_ = begin_;
+    double last_ = 0.0;
 };
 
 Box2 boundsOf(const std::vector<Vec2>& points)
@@ -131,6 +141,7 @@ public:
         , options_(options)
         , execution_(execution)
         , stages_(stages)
+        , watch_(stages)
     {}
 
     MeshResult mesh(const SizeField* callersSize)
@@ -321,6 +332,7 @@ private:
         regions_ = colorRegions(recovered_, network_, pslg_, options_.fill, execution_);
         result_.report.regions = regions_.keptRegions;
         if (regions_.keptRegions == 0 && !allowsEmpty()) {
+            requireNotSwallowed();
             throw explainNoInside(recovered_, network_, pslg_, options_.fill);
         }
         tell(regions_.messages);
@@ -339,6 +351,27 @@ private:
     {
         result_.report.messages.insert(result_.report.messages.end(), messages.begin(),
                                        messages.end());
+    }
+
+    /// Throws if welding has left nothing but points of one line.
+    void requireNotSwallowed() const
+    {
+        const Triangulation& t = recovered_.triangulation;
+        for (std::uint32_t i = 0; i < t.triangles.size(); ++i) {
+            if (t.isFinite(i)) {
+                return;
+            }
+        }
+        if (result_.report.welded == 0) {
+            return;
+        }
+        char text[256];
+        std::snprintf(text, sizeof text,
+                      "The weld tolerance of %.6g leaves nothing of the drawing, which measures "
+                      "%.6g: it joined %zu of its %zu points to others. Choose a smaller tolerance.",
+                      result_.report.weld, boundsOf(input_.points).diagonal(),
+                      result_.report.welded, input_.points.size());
+        throw Error(ErrorKind::InvalidOption, text, {{input_.points.front()}});
     }
 
     bool allowsEmpty() const

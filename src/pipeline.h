@@ -83,6 +83,8 @@ struct StageObserver: RecoveryObserver
     virtual void pointsInserted(const Triangulation&, const InitialRectangle&) = 0;
     virtual void outsideRemoved(const RecoveryResult&, const RegionMap&) = 0;
     virtual void optimized(const Mesh&) = 0;
+    /// Seconds that the calls took so far; they count for no stage.
+    virtual double seconds() const { return 0.0; }
 };
 
 /// The stages in order: arrange, sample, triangulate, recover, color, refine, optimize, extract

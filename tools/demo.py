@@ -19,7 +19,7 @@ sys.path.insert(0, TOOLS)
 EXAMPLES = os.path.join(os.path.dirname(TOOLS), "resources", "examples")
 SKETCH = "Sketcher::SketchObject"
 COLUMNS = (
-    ("document", "", "{:<10}"),
+    ("document", "", "{:<12}"),
     ("sketch", "", "{:<22}"),
     ("triangles", "", "{:>9}"),
     ("min", "angle", "{:>6}"),
@@ -120,12 +120,11 @@ def jobs_of(document, only=None):
     return jobs
 
 
-def run(job, out):
+def run(job, out, stem):
     """Meshes, puts the mesh into the document, writes and checks it."""
     import tessera
     from tessera.objects import planar_mesh
 
-    stem = file_name(f"{job.document.Name}-{job.name}")
     stages = os.path.join(out, "stages", stem)
     if len(job.sketches) > 1:
         begin = time.perf_counter()
@@ -159,8 +158,23 @@ def run(job, out):
     return Result(job, stem, mesh, seconds, comparison, drawing)
 
 
-def file_name(text):
-    return re.sub(r"[^\w.-]+", "-", text).strip("-")
+def file_name(text, taken):
+    """A name made of the text that is not taken yet; takes it."""
+    stem = name = re.sub(r"[^\w.-]+", "-", text)[:80].strip("-")
+    number = 1
+    while name in taken:
+        number += 1
+        name = f"{stem}-{number}"
+    taken.add(name)
+    return name
+
+
+def place_for(path, out, taken):
+    """Where the meshed document goes: never onto a document of the user."""
+    stem, extension = os.path.splitext(os.path.basename(path))
+    if os.path.dirname(os.path.realpath(path)) == os.path.realpath(out):
+        stem += "-meshed"
+    return os.path.join(out, file_name(stem, taken) + extension)
 
 
 def table_row(result):
@@ -207,9 +221,13 @@ def say(text):
         print(text, file=terminal, flush=True)
 
 
-def mesh_file(path, out, only, together):
+def mesh_file(path, out, taken, only, together):
     """Summaries of the meshes, and whether all is well."""
-    document = FreeCAD.openDocument(path)
+    try:
+        document = FreeCAD.openDocument(path)
+    except Exception as error:
+        say(f"{os.path.basename(path):<12} cannot be opened: {' '.join(str(error).split())}")
+        return [], False
     jobs = jobs_of(document, largest(document) if only == "largest" else only)
     if together:
         sketches = [document.getObject(name) for name in together]
@@ -218,7 +236,7 @@ def mesh_file(path, out, only, together):
     summaries = []
     for job in jobs:
         try:
-            result = run(job, out)
+            result = run(job, out, file_name(f"{document.Name}-{job.name}", taken))
             say(table_row(result))
             summaries.append(result.summary())
             good = good and not result.comparison.problems
@@ -228,7 +246,7 @@ def mesh_file(path, out, only, together):
             good = False
     if not jobs:
         say(f"{document.Name:<12} no sketch with a closed outline")
-    saved = os.path.join(out, os.path.basename(path))
+    saved = place_for(path, out, taken)
     if os.path.exists(saved):
         os.remove(saved)  # FreeCAD would keep it beside as a backup
     document.saveAs(saved)
@@ -242,7 +260,8 @@ def main():
     shutil.rmtree(os.path.join(out, "stages"), ignore_errors=True)
     files = [(path, None, ()) for path in os.environ["TESSERA_DEMO_FILES"].split("\n") if path]
     say(HEADER)
-    results = [mesh_file(*item[:1], out, *item[1:]) for item in files or bundled()]
+    taken = set()
+    results = [mesh_file(path, out, taken, *more) for path, *more in files or bundled()]
     summaries = [summary for found, _ in results for summary in found]
     with open(os.path.join(out, "summary.json"), "w") as stream:
         json.dump(summaries, stream, indent=2)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.h"
+#include "cli/file_names.h"
 #include "io/atomic_file.h"
 #include "io/check_mesh.h"
 #include "io/report_json.h"
@@ -27,6 +28,7 @@ struct CheckArguments
 
 int runCheck(const CheckArguments& a)
 {
+    requireDistinct({a.mesh}, {{"--report", a.report}});
     std::optional<AtomicFile> reportFile;
     if (!a.report.empty()) {
         reportFile.emplace(a.report);

@@ -2,13 +2,17 @@
 #pragma once
 
 #include "curve/curve_network.h"
+#include "io/text_file.h"
 #include "recover/recover.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace tessera::cli
 {
@@ -18,6 +22,7 @@ inline const std::map<std::string, FillRule> kFillRules {
     {"positive", FillRule::Positive}, {"negative", FillRule::Negative},
     {"all", FillRule::All},           {"hull", FillRule::Hull},
 };
+inline const std::map<std::string, int> kOrders {{"1", 1}, {"2", 2}};
 inline const std::map<std::string, RecoveryStrategy> kStrategies {
     {"cavity", RecoveryStrategy::Cavity},
     {"steiner", RecoveryStrategy::Steiner},
@@ -41,6 +46,34 @@ CLI::Validator namesOnly(const std::map<std::string, Choice>& choices)
         return {};
     };
     return CLI::Validator(toNumber, "");
+}
+
+/// Whole numbers between commas; CLI11 would take an empty one for 0.
+inline void addNumberList(CLI::App& command, const char* name, std::vector<std::int32_t>& numbers,
+                   const char* description)
+{
+    command
+        .add_option_function<std::string>(
+            name,
+            [&numbers, name](const std::string& text) {
+                for (std::size_t begin = 0; begin <= text.size();) {
+                    const std::size_t end = std::min(text.find(',', begin), text.size());
+                    const std::string word = text.substr(begin, end - begin);
+                    std::int64_t number = 0;
+                    if (!parseNumber(word, number)
+                        || number != static_cast<std::int32_t>(number)) {
+                        throw CLI::ValidationError(
+                            name, fmt::format("'{}' is not a whole number; give numbers with "
+                                              "commas between them, for example 1,4",
+                                              word));
+                    }
+                    numbers.push_back(static_cast<std::int32_t>(number));
+                    begin = end + 1;
+                }
+            },
+            description)
+        ->type_name("LIST")
+        ->trigger_on_parse();
 }
 
 } // namespace tessera::cli

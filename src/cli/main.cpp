@@ -34,8 +34,37 @@ void complain(std::string message)
     fmt::print(stderr, "tessera: {}\n", message);
 }
 
+/// What CLI11 found wrong, in plain words.
+std::string explain(const CLI::App& program, const CLI::ParseError& error, const char* firstWord)
+{
+    if (program.get_subcommands().empty() && firstWord != nullptr) {
+        std::string names;
+        for (const CLI::App* command : program.get_subcommands({})) {
+            names += (names.empty() ? "" : ", ") + command->get_name();
+        }
+        return fmt::format("There is no {} {}; the commands are {}.",
+                           *firstWord == '-' ? "option" : "command", firstWord, names);
+    }
+    const std::string text = error.what();
+    const std::string conversion = "Could not convert: ";
+    const std::size_t equals = text.find(" = ");
+    if (text.starts_with(conversion) && equals != std::string::npos) {
+        return fmt::format("{}: '{}' is not a number.",
+                           text.substr(conversion.size(), equals - conversion.size()),
+                           text.substr(equals + 3));
+    }
+    const std::string option = text.substr(0, text.find(": "));
+    if (text.find(" missing") != std::string::npos) {
+        return option + " needs a value.";
+    }
+    if (text.find("At Most 1 required") != std::string::npos) {
+        return option + " is given more than once.";
+    }
+    return text.ends_with('.') ? text : text + '.';
+}
+
 /// Help and version are no errors; everything else is one line and status 2.
-int endOfParsing(const CLI::App& program, const CLI::ParseError& error)
+int endOfParsing(const CLI::App& program, const CLI::ParseError& error, const char* firstWord)
 {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
         return program.exit(error) == 0 ? kDone : kUsage;
@@ -44,11 +73,7 @@ int endOfParsing(const CLI::App& program, const CLI::ParseError& error)
     for (const CLI::App* command : program.get_subcommands()) {
         name += ' ' + command->get_name();
     }
-    std::string message = error.what();
-    if (!message.empty() && message.back() != '.') {
-        message += '.';
-    }
-    complain(fmt::format("{} Try {} --help.", message, name));
+    complain(fmt::format("{} Try {} --help.", explain(program, error, firstWord), name));
     return kUsage;
 }
 
@@ -66,7 +91,7 @@ int runProgram(int argc, char** argv)
         program.parse(argc, argv);
     }
     catch (const CLI::ParseError& error) {
-        return endOfParsing(program, error);
+        return endOfParsing(program, error, argc > 1 ? argv[1] : nullptr);
     }
     for (const auto& [name, run] : commands) {
         if (program.got_subcommand(name)) {

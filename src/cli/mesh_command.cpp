@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "cli/choices.h"
 #include "cli/commands.h"
+#include "cli/file_names.h"
 #include "cli/inputs.h"
 #include "cli/run_control.h"
 #include "cli/size_options.h"
@@ -67,23 +68,18 @@ void addOptions(CLI::App& command, MeshArguments& a)
     command.add_option("--min-angle", a.minAngle,
                        "Smallest angle to reach, 0 to 33 degrees; default 30");
     command.add_option("--order", a.order, "1: corner nodes only; 2: also mid nodes on the curves")
-        ->check(CLI::IsMember({1, 2}));
+        ->transform(namesOnly(kOrders))
+        ->type_name("1|2");
     command
         .add_option("--fill", a.fill,
                     "What is inside: even-odd (default), nonzero, positive, negative, all (every "
                     "bounded face) or hull (the convex hull)")
         ->transform(namesOnly(kFillRules))
         ->type_name("RULE");
-    command
-        .add_option("--boundary", a.roles.boundary,
-                    "Markers (.poly), lines (.wkt) or edges (CAD) that separate")
-        ->delimiter(',')
-        ->type_name("LIST");
-    command
-        .add_option("--constraint", a.roles.constraint,
-                    "Markers, lines or edges that are kept and do not separate")
-        ->delimiter(',')
-        ->type_name("LIST");
+    addNumberList(command, "--boundary", a.roles.boundary,
+                  "Markers (.poly), lines (.wkt) or edges (CAD) that separate");
+    addNumberList(command, "--constraint", a.roles.constraint,
+                  "Markers, lines or edges that are kept and do not separate");
     command.add_flag("--no-refine", a.noRefine,
                      "No interior points; straight segments are not divided");
     command.add_flag("--no-optimize", a.noOptimize, "Leave the triangles as they were inserted");
@@ -163,6 +159,13 @@ private:
     Execution::Clock::time_point begin_ = Execution::Clock::now();
 };
 
+void requireDistinctFiles(const MeshArguments& a)
+{
+    const std::vector<NamedFile> outputs {{"-o", a.output}, {"--report", a.report}};
+    requireDistinct(a.inputs, outputs);
+    requireOutsideOf(a.stages, outputs);
+}
+
 int runMesh(const MeshArguments& a)
 {
     const CommandClock clock;
@@ -173,6 +176,7 @@ int runMesh(const MeshArguments& a)
     }
     const RunControl control(execution, a.quiet);
 
+    requireDistinctFiles(a);
     // What cannot be written shows before the work, not after it.
     requireWritable(a.output);
     std::optional<AtomicFile> reportFile;
@@ -198,8 +202,8 @@ int runMesh(const MeshArguments& a)
 
     StageSeconds& seconds = result.report.seconds;
     seconds.read = read;
-    seconds.total = clock.seconds();
-    seconds.write = seconds.total - meshed;
+    seconds.write = clock.seconds() - meshed;
+    seconds.total += seconds.read + seconds.write;
     if (reportFile) {
         reportFile->write(formatReport(result));
         reportFile->commit();

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "cli/choices.h"
 #include "cli/commands.h"
+#include "cli/file_names.h"
 #include "cli/inputs.h"
 #include "cli/run_control.h"
 #include "imprint/overlay.h"
@@ -131,6 +132,7 @@ int runOverlay(const OverlayArguments& a)
         execution.setTimeLimit(*a.timeLimit);
     }
     const RunControl control(execution, a.quiet);
+    requireDistinct(a.inputs, {{"-o", a.output}, {"--report", a.report}});
     requireWritable(a.output);
     std::optional<AtomicFile> reportFile;
     if (!a.report.empty()) {

@@ -59,9 +59,14 @@ AtomicFile::AtomicFile(std::filesystem::path path)
         }
         return;
     }
+    // A name that is too long shows now, not when the file is renamed.
+    struct ::stat status = {};
+    if (::lstat(path_.c_str(), &status) != 0 && errno != ENOENT) {
+        fail(errno);
+    }
     for (int attempt = 0; attempt < 100; ++attempt) {
         temporary_ = path_.parent_path()
-            / fmt::format(".{}.{}-{}.part{}", path_.stem().string(), ::getpid(), attempt,
+            / fmt::format(".tessera-{}-{}.part{}", ::getpid(), attempt,
                           path_.extension().string());
         const int file = ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
         if (file >= 0) {
@@ -109,6 +114,13 @@ void AtomicFile::commit()
 
 void AtomicFile::fail(int reason) const
 {
+    std::error_code ignored;
+    const std::filesystem::path folder = path_.parent_path();
+    if (reason == ENOENT && !folder.empty() && !std::filesystem::exists(folder, ignored)) {
+        throw Error(ErrorKind::Unwritable,
+                    fmt::format("{}: cannot be written: there is no folder {}; make it first.",
+                                path_.string(), folder.string()));
+    }
     throw Error(ErrorKind::Unwritable,
                 fmt::format("{}: cannot be written: {}.", path_.string(), std::strerror(reason)));
 }

@@ -123,6 +123,24 @@ Box2 boundsOf(const Triangulation& triangulation)
     return box;
 }
 
+/// Adds the time of a scope to a sum.
+class DrawingTime
+{
+public:
+    explicit DrawingTime(double& sum)
+        : sum_(sum)
+    {}
+    ~DrawingTime() { sum_ += std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    DrawingTime(const DrawingTime&) = delete;
+    DrawingTime& operator=(const DrawingTime&) = delete;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    double& sum_;
+    Clock::time_point begin_ = Clock::now();
+};
+
 } // namespace
 
 StagePictures::StagePictures(std::filesystem::path folder)
@@ -140,7 +158,6 @@ StagePictures::StagePictures(std::filesystem::path folder)
 void StagePictures::save(const std::string& name, const Box2& view, const std::string& caption,
                          const std::function<void(Canvas&)>& draw)
 {
-    const auto begin = std::chrono::steady_clock::now();
     for (const PictureFormat format : {PictureFormat::Svg, PictureFormat::Png}) {
         Canvas canvas(view, format, caption);
         draw(canvas);
@@ -148,7 +165,6 @@ void StagePictures::save(const std::string& name, const Box2& view, const std::s
         file.write(canvas.finish());
         file.commit();
     }
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void StagePictures::initialRectangle(const InitialRectangle& rectangle)
@@ -159,6 +175,7 @@ void StagePictures::initialRectangle(const InitialRectangle& rectangle)
 void StagePictures::pointsInserted(const Triangulation& triangulation,
                                    const InitialRectangle& rectangle)
 {
+    const DrawingTime time(seconds_);
     const std::size_t count = triangulation.vertexCount();
     domain_ = boundsOf(triangulation);
     Box2 view;
@@ -191,6 +208,7 @@ void StagePictures::pointsInserted(const Triangulation& triangulation,
 void StagePictures::beforeRecovery(const Triangulation& triangulation,
                                    std::span<const ConstraintEnds> constraints)
 {
+    const DrawingTime time(seconds_);
     std::vector<DrawnEdge> present;
     std::vector<DrawnEdge> missing;
     for (const ConstraintEnds& ends : constraints) {
@@ -223,16 +241,19 @@ void StagePictures::beforeRecovery(const Triangulation& triangulation,
 
 void StagePictures::steinerInserted(const Triangulation& triangulation, std::uint32_t vertex)
 {
+    const DrawingTime time(seconds_);
     steiner_.steinerInserted(triangulation, vertex);
 }
 
 void StagePictures::steinerRemoved(const Triangulation& triangulation, std::uint32_t formerVertex)
 {
+    const DrawingTime time(seconds_);
     steiner_.steinerRemoved(triangulation, formerVertex);
 }
 
 void StagePictures::recovered(const RecoveryResult& result)
 {
+    const DrawingTime time(seconds_);
     if (steiner_.available()) {
         save("steiner-before", steiner_.view(),
              "Steiner point G where a boundary crosses a mesh edge, and its cavity",
@@ -267,6 +288,7 @@ void StagePictures::recovered(const RecoveryResult& result)
 
 void StagePictures::outsideRemoved(const RecoveryResult& result, const RegionMap& regions)
 {
+    const DrawingTime time(seconds_);
     const Triangulation& triangulation = result.triangulation;
     const auto isKept = [&](std::uint32_t t) {
         const RegionId region = regions.regionOfTriangle[t];
@@ -301,6 +323,7 @@ void StagePictures::outsideRemoved(const RecoveryResult& result, const RegionMap
 
 void StagePictures::optimized(const Mesh& mesh)
 {
+    const DrawingTime time(seconds_);
     const Box2 view = boundsOf(mesh);
     save("6-optimized", view,
          fmt::format("The mesh: {}", counted(mesh.triangles.size(), "triangle", "triangles")),

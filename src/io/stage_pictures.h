@@ -36,8 +36,7 @@ public:
     void outsideRemoved(const RecoveryResult& result, const RegionMap& regions) override;
     void optimized(const Mesh& mesh) override;
 
-    /// Seconds spent on drawing so far: no part of the stages' times.
-    double seconds() const { return seconds_; }
+    double seconds() const override { return seconds_; }
 
 protected:
     const Box2& domain() const { return domain_; }

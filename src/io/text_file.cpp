@@ -73,7 +73,9 @@ std::string readTextFile(const std::filesystem::path& path)
 
 void failAt(const std::string& file, std::size_t line, const std::string& what)
 {
-    throw Error(ErrorKind::Unreadable, fmt::format("{}:{}: {}", file, line, what));
+    // An empty file has no line.
+    const std::string place = line == 0 ? file : fmt::format("{}:{}", file, line);
+    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", place, what));
 }
 
 std::string inQuotes(std::string_view text)

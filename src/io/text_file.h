@@ -15,7 +15,7 @@ void requireReadable(const std::filesystem::path& path);
 /// The whole file as text. Throws Error(Unreadable) if it cannot be opened or read.
 std::string readTextFile(const std::filesystem::path& path);
 
-/// "file:line: what", thrown as Error(Unreadable).
+/// "file:line: what", without a line if it is 0, thrown as Error(Unreadable).
 [[noreturn]] void failAt(const std::string& file, std::size_t line, const std::string& what);
 
 /// Text from a file as it may stand in a message: one line, printable, at most 40 characters.

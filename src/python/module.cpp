@@ -72,6 +72,24 @@ void defineInput(py::module_& module)
         .def_property_readonly("default_weld", &NetworkInput::defaultWeld);
 }
 
+void defineErrors(py::module_& module)
+{
+    // An exception that is raised here has no traceback.
+    module.def(
+        "raising",
+        [](const py::function& function) {
+            return py::cpp_function([function](const py::args& arguments) {
+                py::object result = function(*arguments);
+                if (PyExceptionInstance_Check(result.ptr())) {
+                    PyErr_SetObject(PyExceptionInstance_Class(result.ptr()), result.ptr());
+                    throw py::error_already_set();
+                }
+                return result;
+            });
+        },
+        py::arg("function"));
+}
+
 void defineFiles(py::module_& module)
 {
     module.def(
@@ -108,6 +126,7 @@ PYBIND11_MODULE(_tessera, module)
     defineMesh(module);
     defineLocalSizes(module);
     defineRun(module);
+    defineErrors(module);
     defineFiles(module);
     // Errors outside a run (writing a file): no names to give.
     py::register_exception_translator([](std::exception_ptr pointer) {

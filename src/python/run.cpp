@@ -22,7 +22,7 @@ namespace
 {
 
 /// Brings progress from the running mesher to Python, at most every kInterval, and what Python says
-/// (an exception of the callback, Ctrl-C) back as a cancellation.
+/// (an exception of the callback or False, Ctrl-C) back as a cancellation.
 class ProgressBridge
 {
 public:
@@ -51,7 +51,10 @@ public:
                 throw py::error_already_set();
             }
             if (!callback_.is_none()) {
-                callback_(fraction, stage);
+                const py::object answer = callback_(fraction, stage);
+                if (answer.ptr() == Py_False) {
+                    execution_.cancel();
+                }
             }
         }
         catch (const py::error_already_set&) {
@@ -103,6 +106,7 @@ std::shared_ptr<MeshHolder> runMesh(const NetworkInput& input, MeshOptions optio
         seconds.total += seconds.read;
         holder->report = formatReport(holder->result);
         bridge.tell(1.0, "done");
+        execution.checkpoint(); // the last call may still say no
     }
     catch (const Error& error) {
         bridge.rethrow();

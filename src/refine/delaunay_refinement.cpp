@@ -259,7 +259,8 @@ private:
             return false;
         }
         for (const std::uint32_t apex : {editor_.rootStart(r), editor_.rootEnd(r)}) {
-            if ((apex == editor_.rootStart(q) || apex == editor_.rootEnd(q))
+            if (apex != MeshEditor::kNone
+                && (apex == editor_.rootStart(q) || apex == editor_.rootEnd(q))
                 && isAcuteApex(apex) && angleAt(apex, s.v[1], s.v[2]) < kAcuteWedge) {
                 return true;
             }

@@ -76,6 +76,9 @@ private:
         if (link.subsegment == FaceLink::kNoSubsegment || fill_ == FillRule::All) {
             return true;
         }
+        if (fill_ == FillRule::Hull && std::min(here, beyond) == 0) {
+            return true; // open curves and constraints may lie on the hull
+        }
         const auto border = borders_.of(link.subsegment);
         const bool leftToRight = link.left == here;
         for (const BorderCrossing& c : border) {
@@ -297,7 +300,7 @@ private:
             map_.messages.push_back(std::to_string(map_.loopsMadeHoles)
                                     + (one ? " loop inside others became a hole"
                                            : " loops inside others became holes")
-                                    + "; choose Fill = All to keep "
+                                    + "; the fill rule 'all' keeps "
                                     + (one ? "it." : "them."));
         }
     }

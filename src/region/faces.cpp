@@ -4,12 +4,17 @@
 #include "region/region.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace tessera
 {
 
 namespace
 {
+
+/// Of the greatest coordinate: some units in the last place.
+constexpr double kFlat = 16.0 * std::numeric_limits<double>::epsilon();
 
 class FaceFlood
 {
@@ -26,6 +31,10 @@ public:
     FaceGraph run()
     {
         faces_.faceOfTriangle.assign(t_.triangles.size(), FaceGraph::kNoFace);
+        for (std::uint32_t v = 1; hullSeparates_ && v < t_.points.size(); ++v) {
+            flat_ = std::max({flat_, kFlat * std::fabs(t_.points[v].x),
+                              kFlat * std::fabs(t_.points[v].y)});
+        }
         for (const std::uint32_t seed : outerSeeds(t_)) {
             faces_.faceOfTriangle[seed] = 0;
             stack_.push_back(seed);
@@ -45,12 +54,28 @@ public:
     }
 
 private:
-    bool separates(HalfEdge h) const
+    /// h is an edge of a triangle of the face.
+    bool separates(HalfEdge h, std::uint32_t face) const
     {
-        return t_.isConstrained(h)
-            || (hullSeparates_
-                && t_.isGhost(Topology::triangleOf(h))
-                    != t_.isGhost(Topology::triangleOf(t_.twin(h))));
+        const std::uint32_t beyond = Topology::triangleOf(t_.twin(h));
+        if (t_.isConstrained(h) || !hullSeparates_) {
+            return t_.isConstrained(h);
+        }
+        if (face == 0) {
+            return !t_.isGhost(beyond) && !isFlat(beyond);
+        }
+        return t_.isGhost(beyond);
+    }
+
+    /// Flatter than the rounding of constructed points can make what lies on one line.
+    bool isFlat(std::uint32_t triangle) const
+    {
+        const auto& v = t_.triangles[triangle].v;
+        const Vec2 p[3] = {t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]};
+        const double longest = std::sqrt(std::max({squaredLength(p[1] - p[0]),
+                                                   squaredLength(p[2] - p[1]),
+                                                   squaredLength(p[0] - p[2])}));
+        return std::fabs(cross(p[1] - p[0], p[2] - p[0])) <= flat_ * longest;
     }
 
     void flood(std::uint32_t face)
@@ -64,7 +89,7 @@ private:
             for (std::uint32_t i = 0; i < 3; ++i) {
                 const HalfEdge h = Topology::halfEdge(t, i);
                 const std::uint32_t next = Topology::triangleOf(t_.twin(h));
-                if (faces_.faceOfTriangle[next] == FaceGraph::kNoFace && !separates(h)) {
+                if (faces_.faceOfTriangle[next] == FaceGraph::kNoFace && !separates(h, face)) {
                     faces_.faceOfTriangle[next] = face;
                     stack_.push_back(next);
                 }
@@ -114,12 +139,12 @@ private:
     void linkHull()
     {
         for (std::uint32_t t = 0; t < t_.triangles.size(); ++t) {
-            if (t_.isDead(t) || !t_.isGhost(t)) {
+            if (t_.isDead(t) || faces_.faceOfTriangle[t] != 0) {
                 continue;
             }
             for (std::uint32_t i = 0; i < 3; ++i) {
                 const HalfEdge h = Topology::halfEdge(t, i);
-                if (!t_.isConstrained(h) && !t_.isGhost(Topology::triangleOf(t_.twin(h)))) {
+                if (!t_.isConstrained(h) && faceLeftOf(t_.twin(h)) != 0) {
                     faces_.links.push_back(
                         {faceLeftOf(h), faceLeftOf(t_.twin(h)), FaceLink::kNoSubsegment});
                 }
@@ -131,6 +156,7 @@ private:
     std::size_t subsegmentCount_;
     const SubsegmentGraph& graph_;
     bool hullSeparates_;
+    double flat_ = 0.0; ///< greatest height of a flat triangle
     Execution& execution_;
     FaceGraph faces_;
     std::vector<std::uint32_t> stack_;

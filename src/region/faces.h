@@ -47,7 +47,9 @@ struct FaceGraph
 };
 
 /// Floods the triangles from the outer seeds, then from each triangle not reached yet. With
-/// hullSeparates the convex hull is a border too. O(triangles + subsegments).
+/// hullSeparates the convex hull is a border too, or rather what is inside of it by more than
+/// rounding: points made on one straight curve are off it by that, and the slivers between them and
+/// the hull are outside. O(triangles + subsegments).
 FaceGraph buildFaces(const RecoveryResult& recovered, const SubsegmentGraph& graph,
                      bool hullSeparates, Execution& execution);
 

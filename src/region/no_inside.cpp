@@ -77,7 +77,7 @@ Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& netwo
     if (!any(isMeshed)) {
         return {ErrorKind::NoInside,
                 "There are no curves, so there is nothing to mesh; draw a closed outline (or choose"
-                " Fill = Hull for points)."};
+                " the fill rule 'hull' for points)."};
     }
     const std::vector<FreeEnd> ends = findFreeEnds(network, {});
     if (!hasFiniteTriangle(recovered.triangulation) || pslg.segments.empty()) {
@@ -91,7 +91,7 @@ Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& netwo
         }
         return {ErrorKind::NoInside,
                 "All curves are constraints and none bounds an area; give the outline the role"
-                " boundary or choose Fill = All.",
+                " boundary or choose the fill rule 'all'.",
                 {startOf(network, isMeshed)}};
     }
     const bool bySign = fill == FillRule::Positive || fill == FillRule::Negative;
@@ -99,7 +99,7 @@ Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& netwo
         const std::string way = fill == FillRule::Positive ? "clockwise" : "counter-clockwise";
         return {ErrorKind::NoInside,
                 "Every outline runs " + way
-                    + ", which this fill rule leaves out; choose Fill = Even-odd or Non-zero.",
+                    + ", which this fill rule leaves out; choose 'even-odd' or 'nonzero'.",
                 {startOf(network, bounds)}};
     }
     CurveNetwork withoutHoles = network;

@@ -18,7 +18,7 @@ struct SampleOptions
     bool straightSegments = true;
     /// At least so many pieces for a full turn of the tangent, so that a circle far smaller than
     /// the size still looks like one; 3 .. 10000.
-    double piecesPerTurn = 8.0;
+    double piecesPerTurn = 20.0;
     /// Greatest distance of a piece from its curve, in the input's unit; 0: no bound. Kept as far
     /// as curvature tells it: sagitta = piece^2 curvature / 8.
     double chordError = 0.0;

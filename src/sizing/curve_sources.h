@@ -11,7 +11,7 @@ namespace tessera
 
 struct CurveSourceOptions
 {
-    double piecesPerTurn = 8.0; ///< pieces for a full turn of the tangent
+    double piecesPerTurn = 20.0; ///< pieces for a full turn of the tangent
     double chordError = 0.0;    ///< greatest distance of a piece from its curve; 0: no bound
     double minSize = 0.0;       ///< no source is smaller; 0: a thousandth of the size in place
 };

@@ -44,7 +44,7 @@ struct RegionSize
 /// All that asks for sizes besides the general size. The smallest one counts.
 struct LocalSizes
 {
-    double piecesPerTurn = 8.0; ///< pieces for a full turn of a curve; 3 .. 10000
+    double piecesPerTurn = 20.0; ///< pieces for a full turn of a curve; 3 .. 10000
     double chordError = 0.0;    ///< greatest distance of a piece from its curve; 0: no bound
     double gap = 0.0;           ///< elements across the gap between facing curves; 0: none asked
     std::vector<PointSize> points {};

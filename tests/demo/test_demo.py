@@ -173,3 +173,50 @@ def test_a_file_that_cannot_be_read_is_refused(tmp_path):
     assert run.returncode == 1
     assert "missing.FCStd" in run.stderr
     assert not (tmp_path / "out").exists()
+
+
+@pytest.fixture(scope="module")
+def odd_documents(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("odd documents")
+    home = tmp_path_factory.mktemp("home")
+    environment = {
+        **os.environ,
+        "TESSERA_ODD_DOCUMENTS": str(folder),
+        "FREECAD_USER_HOME": str(home),
+    }
+    script = Path(__file__).with_name("odd_documents.py")
+    subprocess.run(["freecadcmd", script], env=environment, check=True, capture_output=True)
+    return folder
+
+
+def test_odd_documents(odd_documents, tmp_path):
+    """What has no closed outline or cannot be opened is told in a line; the rest is meshed."""
+    files = sorted(odd_documents.glob("*.FCStd"))
+    assert len(files) == 5
+    before = {path: path.read_bytes() for path in files}
+    run = run_demo(tmp_path, *files)
+    assert run.returncode == 1
+    lines = run.stdout.splitlines()
+    for name, words in (
+        ("construction", "no sketch with a closed outline"),
+        ("box", "no sketch with a closed outline"),
+        ("broken", "cannot be opened"),
+    ):
+        assert [line for line in lines if line.startswith(name) and words in line], run.stdout
+    assert "Traceback" not in run.stdout
+    summaries = json.loads((tmp_path / "summary.json").read_text())
+    areas = {summary["file"]: summary["drawn_area"] for summary in summaries}
+    assert sorted(areas.values()) == pytest.approx([50 - 3.14159265, 50, 100])
+    assert len(areas) == 3 and all(summary["problems"] == [] for summary in summaries)
+    assert all((tmp_path / name).is_file() for name in areas)
+    assert {path: path.read_bytes() for path in files} == before
+
+
+def test_documents_in_the_folder_of_the_demo_stay(odd_documents, tmp_path):
+    copy = tmp_path / "rotated.FCStd"
+    copy.write_bytes((odd_documents / "rotated.FCStd").read_bytes())
+    before = copy.read_bytes()
+    run = run_demo(tmp_path, copy)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert copy.read_bytes() == before
+    assert (tmp_path / "rotated-meshed.FCStd").is_file()

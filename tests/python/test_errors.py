@@ -40,6 +40,20 @@ NAN = float("nan")
         {"time_limit": 0},
         {"progress": 5},
         {"constraint": 3.5},
+        {"constraint": [[1]]},
+        {"constraint": [None]},
+        {"constraint": [10**400]},
+        {"constraint": [-1]},
+        {"size": 10**400},
+        {"size": 1j},
+        {"size": [1.0, 2.0]},
+        {"growth": None},
+        {"order": None},
+        {"order": [1]},
+        {"order": 1.5},
+        {"fill": None},
+        {"execution": 5},
+        {"stages": 5},
         {"constraint": ["Polygon9"]},
         {"boundary": [7]},
     ],
@@ -67,7 +81,36 @@ def test_bad_option(options):
         [[]],
         [[(0, 0, 0), (1, 0, 0), (0, 1, 0)]],
         [["a", "b"]],
+        [(0, 0), (1, 0), (10**400, 1)],
+        [(0, 0), (1, 0), (None, 1)],
+        [("0", "0"), ("1", "0"), ("0", "1")],
+        [(0, 0), (1, 0), (1j, 1)],
+        np.array([(0, 0), (1, 0), (0, 1)], dtype=complex),
+        np.array([("0", "0"), ("1", "0"), ("0", "1")]),
+        np.array([(0, 0), (1, 0), (0, 1)], dtype=bool),
+        np.zeros(4, dtype=[("x", float), ("y", float)]),
+        [(0, 0), (1, 0), (0, 1, 2)],
+        [(0, 0), (1, 0), 5],
+        [1.0, 2.0, 3.0],
+        [None],
+        [None, None, None],
+        object(),
+        {0, 1},
+        ((0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)),
         (SQUARE, [(0, 1, 2)]),
+        (SQUARE, 5),
+        (SQUARE, None),
+        (None, SEGMENTS),
+        (SQUARE, [(0, 1), (1,)]),
+        (SQUARE, [("0", "1")]),
+        (SQUARE, [(0, None)]),
+        (SQUARE, [(0, NAN)]),
+        (SQUARE, [(0, 10**400)]),
+        (SQUARE, [(0, 1j)]),
+        (SQUARE, [(True, False)]),
+        (SQUARE, SEGMENTS, "abc"),
+        (SQUARE, SEGMENTS, [1, 2, 3, 0.5]),
+        ([(0, 0, 0), (1, 0, 0)], [(0, 1)]),
         (SQUARE, [(0, 4)]),
         (SQUARE, [(-1, 0)]),
         (SQUARE, [(0.5, 1)]),
@@ -82,6 +125,33 @@ def test_bad_option(options):
 def test_bad_source(source):
     with pytest.raises(tessera.InvalidInputError):
         tessera.mesh(source, size=1.0)
+
+
+@pytest.mark.parametrize(
+    "source, text",
+    [
+        ([(0, 0, 0), (1, 0, 0), (0, 1, 0)], r"\(n, 2\), not \(3, 3\)"),
+        ([[(0, 0, 0), (1, 0, 0), (0, 1, 0)]], r"\(n, 2\), not \(3, 3\)"),
+        (np.zeros((4, 3)), r"\(n, 2\), not \(4, 3\)"),
+        ([1.0, 2.0, 3.0], r"\(n, 2\), not \(3,\)"),
+        ([(0, 0), (1, 0), (0, 1, 2)], "point 2 has 3 coordinates"),
+        ([(0, 0), (1, 0), (10**400, 1)], "too large"),
+        ((SQUARE, [(0, 1, 2)]), r"\(m, 2\), not \(1, 3\)"),
+        ((SQUARE, [(0, 10**400)]), "64 bits"),
+        ((SQUARE, [(0, 4)]), "segments.0. = .0, 4. names a point that does not exist"),
+    ],
+)
+def test_bad_source_is_told_in_words(source, text):
+    with pytest.raises(tessera.InvalidInputError, match=text):
+        tessera.mesh(source, size=1.0)
+
+
+def test_fractions_are_numbers():
+    from fractions import Fraction
+
+    half = Fraction(1, 2)
+    mesh = tessera.mesh([(0, 0), (half, 0), (half, half), (0, half)], size=1.0)
+    assert mesh.report["area"] == 0.25
 
 
 def test_not_finite_names_the_point():
@@ -118,6 +188,9 @@ def test_unwritable_files(tmp_path):
     for path in (tmp_path / "no" / "a.vtu", tmp_path / "a.xyz", tmp_path / "a"):
         with pytest.raises(tessera.UnwritableError):
             mesh.write(path)
+    for name in (5, None):
+        with pytest.raises(tessera.UnwritableError, match="name of a file"):
+            mesh.write(name)
     with pytest.raises(tessera.UnwritableError):
         mesh.plot(tmp_path / "a.vtu")
     assert list(tmp_path.iterdir()) == []

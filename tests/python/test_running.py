@@ -59,6 +59,26 @@ def test_exception_of_progress_ends_the_run_and_is_passed_on():
     assert time.monotonic() - began < 30.0
 
 
+def test_progress_that_returns_false_cancels():
+    stages = []
+
+    def stop_at_second_call(fraction, stage):
+        stages.append(stage)
+        return len(stages) < 2
+
+    with pytest.raises(tessera.CancelledError):
+        tessera.mesh(SQUARE, size=LONG, progress=stop_at_second_call)
+    assert len(stages) == 2 and "done" not in stages
+    with pytest.raises(tessera.CancelledError):
+        tessera.mesh(SQUARE, size=100.0, progress=lambda fraction, stage: False)
+
+
+def test_other_answers_of_progress_go_on():
+    for answer in (None, True, 0, "", 1.0):
+        mesh = tessera.mesh(SQUARE, size=100.0, progress=lambda fraction, stage: answer)
+        assert len(mesh.triangles) > 0
+
+
 @pytest.fixture
 def control_c():
     """Python's own answer to SIGINT; a shell switches it off for what runs in the background."""

@@ -93,11 +93,13 @@ def mesh(
     refine        False: no interior points, straight curves stay whole.
     optimize      False: points are not moved afterwards.
     stages        folder for a picture of each stage.
-    time_limit    seconds; progress: called as progress(fraction, stage) a few times a second;
+    time_limit    seconds.
+    progress      called as progress(fraction, stage) a few times a second, at last with 1.0. When it
+                  returns False the run ends with a CancelledError; any other answer, None too, goes
+                  on. An exception that it raises ends the run and is passed on.
     execution     a tessera.Execution, whose cancel() ends the run from another thread.
 
-    Raises a subclass of tessera.Error; an exception raised by progress ends the run and is passed
-    on.
+    Raises a subclass of tessera.Error.
     """
     options = native.MeshOptions()
     options.size = _positive("size", size)
@@ -114,19 +116,30 @@ def mesh(
     if progress is not None and not callable(progress):
         raise InvalidOptionError("progress must be a function of (fraction, stage).")
     run = Execution() if execution is None else execution
+    if not isinstance(run, Execution):
+        raise InvalidOptionError(
+            f"execution must be a tessera.Execution, not a {type(run).__name__}."
+        )
     if time_limit is not None:
         run.set_time_limit(_positive("time_limit", time_limit))
     if isinstance(source, Prepared):
         prepared = source
     else:
         prepared = prepare(source, bool(construction), constraint, boundary)
-    folder = "" if stages is None else os.fspath(stages)
+    folder = "" if stages is None else _folder("stages", stages)
     with prepared.placed_errors():
         options.sizes = local_sizes(
             prepared, curvature, chord_error, gap, size_at, size_on, size_in, size_expr, size_from
         )
         data = native.mesh(prepared.network, options, run, progress, folder)
     return Mesh(data, prepared.base)
+
+
+def _folder(name, value):
+    try:
+        return os.fspath(value)
+    except TypeError as error:
+        raise InvalidOptionError(f"{name} must be the name of a folder, not {value!r}.") from error
 
 
 def _positive(name, value):

@@ -88,6 +88,7 @@ def _items(source):
             f"{source!r} cannot be meshed; give a sketch, a shape, (points, segments) or polygons."
         )
     items = list(source)
+    arrays.refuse_odd_points(items)
     if not items:
         raise InvalidInputError("The list of sources is empty; give a sketch, a shape or arrays.")
     return items
@@ -111,6 +112,9 @@ def _list(value, what):
 
 
 def _prepare_arrays(items, constraint, boundary):
+    for element in constraint + boundary:
+        if not _is_array_element(element, items):
+            raise InvalidOptionError(_nothing_called(element))
     network = native.NetworkInput()
     for number, item in enumerate(items):
         name = f"Polygon{number + 1}"
@@ -122,9 +126,6 @@ def _prepare_arrays(items, constraint, boundary):
                 constrained = False
             role = native.Role.constraint if constrained else native.Role.boundary
             network.add_polygon(arrays.rings_of(item), name, role)
-    for element in constraint + boundary:
-        if not _is_array_element(element, items):
-            raise InvalidOptionError(_nothing_called(element))
     return Prepared(network, np.eye(4), ArrayNames(items))
 
 
@@ -168,11 +169,12 @@ def _has(elements, name, number):
 
 
 def _is_array_element(element, items):
-    if len(items) == 1 and arrays.is_points_and_segments(items[0]):
-        return isinstance(element, (int, np.integer)) and 0 <= element < len(items[0][1])
-    if isinstance(element, (int, np.integer)):
+    if isinstance(element, (int, np.integer)) and not isinstance(element, bool):
+        if len(items) == 1 and arrays.is_points_and_segments(items[0]):
+            segments = arrays.index_array(items[0][1], 2, "segments")
+            return 0 <= element < len(segments)
         return 0 <= element < len(items)
-    return element in {f"Polygon{i + 1}" for i in range(len(items))}
+    return isinstance(element, str) and element in {f"Polygon{i + 1}" for i in range(len(items))}
 
 
 def _add_segments(network, item, count, number, constraint, boundary):

@@ -219,8 +219,16 @@ TEST_F(MeshCommand, BadOptions)
     refuse({"mesh", "a.poly", "-o", "x.obj"}, "should end in .vtu", 2);
     refuse({"mesh", "a.poly", "-o", "x"}, "should end in .vtu", 2);
     refuse({}, "--help", 2);
-    refuse({"meshes"}, "--help", 2);
-    refuse({"overlay", "a.poly", "-o", "x.wkt"}, "--help", 2);
+    refuse({"meshes"}, "There is no command meshes; the commands are mesh, ", 2);
+    refuse({"--size", "1"}, "There is no option --size; the commands are", 2);
+    refuse(with({"--order", "1.5"}), "--order: '1.5' is not one of 1, 2", 2);
+    refuse(with({"--size", "abc"}), "--size: 'abc' is not a number", 2);
+    refuse(with({"--size"}), "--size needs a value", 2);
+    refuse(with({"--size", "1", "--size", "2"}), "--size is given more than once", 2);
+    for (const char* list : {"", ",", "1,", "1,,2", "a", "1.5", "99999999999"}) {
+        refuse(with({"--boundary", list}), "is not a whole number", 2);
+    }
+    refuse(with({"--boundary", "11,99"}), "number 99");
 }
 
 TEST_F(MeshCommand, BadInputs)
@@ -270,12 +278,84 @@ TEST_F(MeshCommand, TruncatedInputIsRefusedOrMeshed)
 TEST_F(MeshCommand, OutputsThatCannotBeWritten)
 {
     program.give("a.poly", kSquare);
-    refuse({"mesh", "a.poly", "-o", "none/x.vtu"}, "none/x.vtu: cannot be written: No such file");
+    refuse({"mesh", "a.poly", "-o", "none/x.vtu"}, "none/x.vtu: cannot be written: there is no folder none");
     refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", "none/x.json"},
            "none/x.json: cannot be written");
     refuse({"mesh", "a.poly", "-o", "x.vtu", "--stages", "a.poly"}, "cannot be made");
     std::filesystem::create_directory(program.folder() / "x.vtu");
     refuse({"mesh", "a.poly", "-o", "x.vtu"}, "Is a directory");
+}
+
+TEST_F(MeshCommand, OutputsThatWouldReplaceAFileAreRefused)
+{
+    program.give("a.poly", kSquare);
+    std::filesystem::create_symlink("a.poly", program.folder() / "link.poly");
+    std::filesystem::create_directory(program.folder() / "sub");
+    for (const char* name : {"a.poly", "./a.poly", "sub/../a.poly", "link.poly"}) {
+        refuse({"mesh", "a.poly", "-o", name}, "would replace the input a.poly");
+        refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", name}, "would replace the input");
+    }
+    refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", "./x.vtu"}, "are one file");
+    refuse({"mesh", "a.poly", "-o", "sub/1-rectangle.svg", "--stages", "sub"},
+           "in the folder of --stages");
+    EXPECT_EQ(program.text("a.poly"), kSquare);
+    EXPECT_EQ(program.run({"mesh", "a.poly", "-o", "x.vtu"}).status, 0);
+    const std::string mesh = program.text("x.vtu");
+    refuse({"check", "x.vtu", "--report", "x.vtu"}, "would replace the input");
+    EXPECT_EQ(program.text("x.vtu"), mesh);
+    // A device is nothing that could be replaced.
+    EXPECT_EQ(program.run({"check", "x.vtu", "--report", "/dev/null"}).status, 0);
+}
+
+TEST_F(MeshCommand, LongNames)
+{
+    program.give("a.poly", kSquare);
+    const std::string longest = std::string(251, 'x') + ".vtu";
+    EXPECT_EQ(program.run({"mesh", "a.poly", "-o", longest}).status, 0);
+    EXPECT_TRUE(program.has(longest));
+    refuse({"mesh", "a.poly", "-o", "x" + longest}, "File name too long");
+}
+
+TEST_F(MeshCommand, WeldThatSwallowsTheDrawing)
+{
+    program.give("a.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))");
+    for (const char* weld : {"10", "1"}) {
+        refuse({"mesh", "a.wkt", "-o", "x.vtu", "--weld", weld},
+               "The weld tolerance of " + std::string(weld)
+                   + " leaves nothing of the drawing, which measures 1.41421");
+    }
+}
+
+TEST_F(MeshCommand, HullOfOpenCurves)
+{
+    program.give("a.wkt", "LINESTRING(0 0,1 0,1 1,0.2 0.9)");
+    const json open = mesh({"a.wkt", "--fill", "hull"});
+    EXPECT_EQ(open["regions"], 1);
+    EXPECT_NEAR(open["area"].get<double>(), 0.85, 1e-9);
+    // Samples on slanted sides are off them by rounding; the slivers outside are no part of it.
+    EXPECT_GE(open["min_angle_deg"].get<double>(), 25.0);
+    program.give("b.wkt", "POLYGON((0 0,1 0.1,1.3 1,0.2 0.9,0 0))");
+    const json closed = mesh({"b.wkt", "--fill", "hull"});
+    EXPECT_EQ(closed["regions"], 1);
+    EXPECT_GE(closed["min_angle_deg"].get<double>(), 25.0);
+}
+
+TEST_F(MeshCommand, PicturesCountForNoStage)
+{
+    program.give("a.poly", kSquare);
+    const auto total = [this](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments {"a.poly", "--size", "0.1"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const json seconds = mesh(arguments)["seconds"];
+        double sum = 0.0;
+        for (const auto& [stage, value] : seconds.items()) {
+            sum += stage == "total" ? 0.0 : value.get<double>();
+        }
+        EXPECT_NEAR(sum, seconds["total"].get<double>(), 0.05 * seconds["total"].get<double>());
+        return seconds["color"].get<double>();
+    };
+    // Coloring takes about a thousandth of the time that the pictures before and after it take.
+    EXPECT_LT(total({"--stages", "pictures"}), total({}) + 0.05);
 }
 
 TEST_F(MeshCommand, FailureKeepsTheFileThatWasThere)

@@ -159,7 +159,7 @@ TEST(ReadPoly, SaysFileLineAndReason)
     const auto refuse = [](const std::string& text, const std::string& expected) {
         expectError(ErrorKind::Unreadable, expected, [&] { parsePoly(text, "bad.poly"); });
     };
-    refuse("", "bad.poly:0: the file ends before the number of points");
+    refuse("", "bad.poly: the file ends before the number of points");
     refuse("three 2 0 0\n", "bad.poly:1: 'three' is not a whole number");
     refuse("-1 2 0 0\n", "bad.poly:1: the number of points is -1");
     refuse("1 3 0 0\n1 0 0\n", "the dimension is 3");

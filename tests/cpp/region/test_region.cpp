@@ -253,7 +253,7 @@ TEST(ColorRegions, NestedLoopsAndWhatIsToldAboutThem)
     EXPECT_EQ(colored.map.loopsMadeHoles, 2U);
     ASSERT_EQ(colored.map.messages.size(), 1U);
     EXPECT_EQ(colored.map.messages[0],
-              "2 loops inside others became holes; choose Fill = All to keep them.");
+              "2 loops inside others became holes; the fill rule 'all' keeps them.");
     recolor(colored, FillRule::All);
     EXPECT_DOUBLE_EQ(colored.areaInside(), 81.0);
     EXPECT_EQ(colored.map.keptRegions, 4U);

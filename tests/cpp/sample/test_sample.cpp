@@ -116,7 +116,7 @@ TEST(Sample, CirclePointsAreEquallySpacedAndOnTheCircle)
 {
     const CurveNetwork network = networkOf(makeCircleArc({5, 7}, 2, 0.3, 0.3 + 2 * kPi), true);
     for (const double h : {0.01, 0.1, 0.5, 1.0, 1.57}) {
-        const Pslg pslg = sampleWith(network, UniformSize(h));
+        const Pslg pslg = sampleWith(network, UniformSize(h), {.piecesPerTurn = 8});
         const std::vector<Vec2> points = chain(pslg);
         EXPECT_EQ(points.size() - 1, pieceCount(4 * kPi / h));
         const double expected = distance(points[0], points[1]);
@@ -136,11 +136,11 @@ TEST(Sample, CirclePointsAreEquallySpacedAndOnTheCircle)
 TEST(Sample, SmallCircleKeepsItsShape)
 {
     const CurveNetwork network = networkOf(makeCircleArc({0, 0}, 0.01, 0, 2 * kPi), true);
-    EXPECT_EQ(sampleWith(network, UniformSize(100.0)).segments.size(), 8U);
+    EXPECT_EQ(sampleWith(network, UniformSize(100.0)).segments.size(), 20U);
     EXPECT_EQ(sampleWith(network, UniformSize(100.0), {.piecesPerTurn = 3}).segments.size(), 3U);
     EXPECT_EQ(sampleWith(network, UniformSize(100.0), {.piecesPerTurn = 50}).segments.size(), 50U);
     const CurveNetwork arc = networkOf(makeCircleArc({0, 0}, 0.01, 0, 50 * kPi / 180), false);
-    EXPECT_EQ(sampleWith(arc, UniformSize(100.0)).segments.size(), 2U);
+    EXPECT_EQ(sampleWith(arc, UniformSize(100.0)).segments.size(), 3U);
 }
 
 TEST(Sample, ChordErrorIsKept)
@@ -171,10 +171,11 @@ TEST(Sample, LeastNumbersOfPieces)
     CurveNetwork network = networkOf(upper, false);
     const NetworkCurve first = network.curves[0];
     network.curves.push_back({nullptr, first.end, first.start, OperandId(0U)});
-    const Pslg pslg = sampleWith(network, UniformSize(10.0));
+    const SampleOptions coarse {.piecesPerTurn = 8};
+    const Pslg pslg = sampleWith(network, UniformSize(10.0), coarse);
     EXPECT_EQ(pslg.segments.size(), 3U);
     network.curves.pop_back();
-    EXPECT_EQ(sampleWith(network, UniformSize(10.0)).segments.size(), 1U);
+    EXPECT_EQ(sampleWith(network, UniformSize(10.0), coarse).segments.size(), 1U);
 }
 
 TEST(Sample, ZeroLengthCurvesAreDroppedAndTold)
@@ -263,7 +264,8 @@ TEST_F(GradedSample, ReversedCurvesGetTheSamePoints)
 TEST_F(GradedSample, NeighborsDifferByNoMoreThanTheFieldGrows)
 {
     const auto curve = makeEllipseArc({0, 0}, 5, 2, 0.4, 0, 6.2);
-    const std::vector<Vec2> points = chain(sampleWith(networkOf(curve, false), *field_));
+    const std::vector<Vec2> points
+        = chain(sampleWith(networkOf(curve, false), *field_, {.piecesPerTurn = 8}));
     double greatest = 1.0;
     for (std::size_t i = 2; i < points.size(); ++i) {
         const double ratio =

@@ -32,7 +32,8 @@ Pslg sampled(const CurveNetwork& network, double size)
 {
     Execution execution;
     ArrangeReport report;
-    return sample(arrange(network, {}, report, execution), UniformSize(size), {}, execution);
+    return sample(arrange(network, {}, report, execution), UniformSize(size),
+                  {.piecesPerTurn = 8}, execution);
 }
 
 /// Pairs of segments that have more in common than an end.

@@ -234,7 +234,7 @@ TEST(MakeSizeField, AFlatEllipseIsFinestAtItsTips)
     const PointId p = network.addPoint({10, 0});
     network.curves.push_back({makeEllipseArc({0, 0}, 10, 1, 0, 0, kTurn), p, p, OperandId(0U)});
     const auto field = makeSizeField(network, {.size = 2}, execution);
-    const double tip = kTurn / 8 * 0.1; // radius of curvature b^2 / a
+    const double tip = kTurn / 20 * 0.1; // radius of curvature b^2 / a
     EXPECT_NEAR(field->size({10, 0}), tip, 0.1 * tip);
     EXPECT_NEAR(field->size({-10, 0}), tip, 0.1 * tip);
     EXPECT_EQ(field->size({0, 1}), 2.0);

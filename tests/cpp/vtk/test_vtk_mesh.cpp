@@ -231,7 +231,7 @@ TEST(VtkFile, SaysWhatIsWrong)
     const TemporaryFolder folder;
     expectError(ErrorKind::Unreadable, "none.vtu: cannot be read: No such file",
                 [&] { readMesh(folder / "none.vtu"); });
-    expectError(ErrorKind::Unwritable, "cannot be written: No such file or directory",
+    expectError(ErrorKind::Unwritable, "cannot be written: there is no folder",
                 [&] { writeVtk(Mesh(), folder / "no-folder/a.vtu"); });
     expectError(ErrorKind::Unwritable, "cannot be written: Is a directory", [&] {
         std::filesystem::create_directory(folder / "dir.vtu");

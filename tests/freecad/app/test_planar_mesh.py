@@ -263,6 +263,16 @@ def test_bad_source_is_explained(document, name):
     assert (obj.FemMesh.FaceCount, obj.MeshRevision) == (0, 0)
 
 
+def test_failed_recompute_is_told_in_one_sentence(document, capfd):
+    """What FreeCAD's report view shows."""
+    planar_mesh.make_planar_mesh(sketches.zero_area(document), size=1.0)
+    capfd.readouterr()
+    document.recompute()
+    told = "".join(capfd.readouterr())
+    assert "Traceback" not in told
+    assert "Tessera: Flat mesh: The outline encloses no area" in told
+
+
 @pytest.mark.parametrize(
     "size, words",
     [(0.0, "greater than 0"), (math.nan, "finite"), (1e-6, "memory")],

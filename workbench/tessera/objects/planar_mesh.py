@@ -8,6 +8,7 @@ import FreeCAD
 
 import tessera
 from tessera.tools.mesh_history import MeshHistory
+from tessera.tools.plain_errors import RecomputeError, raising
 from tessera.tools.progress import RecomputeProgress
 from tessera.tools.request import FILLS, MeshRequest, default_size
 
@@ -193,23 +194,28 @@ class PlanarMesh:
         """A finished mesh that the next recompute takes if the properties still ask for it."""
         self._offered = (request, mesh)
 
-    def execute(self, obj):
-        """Called by FreeCAD to recompute. An exception marks the object; its mesh stays."""
-        request = request_of(obj)
-        offered, self._offered = self.__dict__.get("_offered"), None
-        if offered is not None and offered[0] == request:
-            mesh = offered[1]
-        else:
-            mesh = self._mesh(obj, request)
-        self._publish(obj, request, mesh)
+    @property
+    def execute(self):
+        """Called by FreeCAD, with the object, to recompute. An exception marks the object; its mesh
+        stays, and FreeCAD shows the message where the user looks for it."""
+        return raising(self._recompute)
+
+    def _recompute(self, obj):
+        try:
+            request = request_of(obj)
+            offered, self._offered = self.__dict__.get("_offered"), None
+            if offered is not None and offered[0] == request:
+                mesh = offered[1]
+            else:
+                mesh = self._mesh(obj, request)
+            self._publish(obj, request, mesh)
+        except (tessera.Error, ImportError) as error:
+            return RecomputeError(f"{obj.Label}: {error}")
+        return None
 
     def _mesh(self, obj, request):
         with RecomputeProgress(translate("Tessera", "Meshing {}").format(obj.Label)) as progress:
-            try:
-                return request.mesh(request.prepare(), progress)
-            except tessera.Error as error:
-                # FreeCAD shows the text of the exception where the user looks for it.
-                raise RuntimeError(str(error)) from None
+            return request.mesh(request.prepare(), progress)
 
     def _publish(self, obj, request, mesh):
         fem = mesh.to_fem()

@@ -289,7 +289,7 @@ class PlanarMeshPanel:
         self._document.recompute(objects)
         for obj in objects:
             if not obj.isValid():
-                self._show_message(f"{obj.Label}: {obj.getStatusString()}", _CRITICAL)
+                self._show_message(obj.getStatusString(), _CRITICAL)
                 return False
         self._meshed = requests
         self._show_summary(objects)
