@@ -193,7 +193,7 @@ void addSizeOptions(CLI::App& command, SizeArguments& a)
             '\0');
     };
     command.add_option("--curvature", a.curvature,
-                       "Pieces for a full turn of a curve, 3 to 10000; default 8");
+                       "Pieces for a full turn of a curve, 3 to 10000; default 20");
     command.add_option("--chord-error", a.chordError,
                        "Greatest distance between a curve and its pieces");
     command.add_option("--gap", a.gap, "Elements across narrow gaps between curves");

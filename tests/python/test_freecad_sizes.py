@@ -85,7 +85,7 @@ def test_curvature_and_chord_error(sketch):
         len(on_hole(tessera.mesh(sketch, 2.0, **options), "Sketch_Geometry4"))
         for options in ({}, {"curvature": 60}, {"chord_error": 0.0005})
     ]
-    assert pieces[0] < 12
+    assert pieces[0] == 20
     assert pieces[1] == 60
     # sagitta = radius (1 - cos(pi / n))
     assert 2.0 * (1 - np.cos(np.pi / pieces[2])) < 0.0005

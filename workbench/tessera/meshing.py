@@ -65,7 +65,7 @@ def mesh(
     size          target edge length, > 0; None: diagonal of the bounding box / 40.
     min_size      nowhere smaller, > 0; None: no bound.
     growth        greatest change of the edge length per length, 0 < growth <= 1.
-    curvature     pieces for a full turn of a curve, 3 .. 10000; None: 8.
+    curvature     pieces for a full turn of a curve, 3 .. 10000; None: 20.
     chord_error   greatest distance between a curve and its pieces, > 0; None: no bound.
     gap           elements across narrow gaps between curves, > 0; None: gaps make no difference.
     size_at       [(x, y, size)] at points in the frame of the plane, or [(place, size)] at points in

@@ -54,6 +54,8 @@ def number(name, value):
         result = float(value)
     except (TypeError, ValueError) as error:
         raise InvalidOptionError(f"{name} must be a number, not {value!r}.") from error
+    except OverflowError as error:
+        raise InvalidOptionError(f"{name} is too large.") from error
     if not math.isfinite(result):
         raise InvalidOptionError(f"{name} must be finite, not {result}.")
     return result
