@@ -179,7 +179,7 @@ TEST(Pipeline, SameBytesOnEveryRun)
     addCircle(network, {0, 0}, 1.0, 0);
     addPolygon(network, {{0, 0}, {2, 0}, {2, 1.5}, {0.2, 1.7}}, 1);
     const MeshResult first = meshed(network, {.size = 0.05});
-    for (int run = 0; run < 3; ++run) {
+    for (int run = 0; run < 19; ++run) {
         const MeshResult again = meshed(network, {.size = 0.05});
         EXPECT_EQ(first.mesh.nodes, again.mesh.nodes);
         EXPECT_EQ(first.mesh.triangles, again.mesh.triangles);
