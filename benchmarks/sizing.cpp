@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 
-// Size fields: seconds of process CPU time to build one, and million queries a second on one core,
-// at places near the last one (as a mesher asks) and at random places. The last column is the sum of
-// the answers over their number: it keeps the work from being left out.
-//
-//     bench_sizing [queries, default 5000000]
+// Size fields: seconds of process CPU time to build one, and million queries a second on one core, at
+// places near the last one (as a mesher asks) and at random places. The last column is the mean of
+// the answers: it keeps the work from being left out.
+
+#include "section.h"
 
 #include "base/execution.h"
 #include "sizing/area_size.h"
@@ -12,13 +12,12 @@
 #include "sizing/min_size.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <memory>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace
@@ -69,32 +68,33 @@ std::vector<Vec2> places(std::size_t count, bool near)
     return result;
 }
 
-void measure(const char* name, const std::function<std::shared_ptr<const SizeField>()>& make,
-             std::size_t queries)
+using MakeField = std::function<std::shared_ptr<const SizeField>()>;
+
+void measure(bench::Result& result, const MakeField& make, const std::vector<Vec2> (&where)[2])
 {
     const double begin = cpuSeconds();
     const std::shared_ptr<const SizeField> field = make();
-    const double built = cpuSeconds() - begin;
-    double rates[2] {};
+    result.columns["build s"] = cpuSeconds() - begin;
+    const char* const titles[2] = {"near M/s", "random M/s"};
     double sum = 0.0;
-    for (const bool near : {true, false}) {
-        const std::vector<Vec2> where = places(queries, near);
+    for (int i = 0; i < 2; ++i) {
         const double start = cpuSeconds();
-        for (const Vec2 p : where) {
+        for (const Vec2 p : where[i]) {
             sum += field->size(p);
         }
-        rates[near ? 0 : 1] = 1e-6 * static_cast<double>(queries) / (cpuSeconds() - start);
+        const auto queries = static_cast<double>(where[i].size());
+        result.columns[titles[i]] = 1e-6 * queries / (cpuSeconds() - start);
+        result.columns["mean size"] = sum / queries / (i + 1);
     }
-    std::printf("%-34s %8.3f %10.1f %10.1f   %.6f\n", name, built, rates[0], rates[1],
-                sum / static_cast<double>(2 * queries));
-    std::fflush(stdout);
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-    const auto queries = static_cast<std::size_t>(argc > 1 ? std::atof(argv[1]) : 5e6);
+    constexpr std::size_t kQueries = 2000000;
+    constexpr int kRepetitions = 3;
+    const std::vector<Vec2> where[2] = {places(kQueries, true), places(kQueries, false)};
     Execution execution;
     const auto graded = [&](int count, int chords) {
         return std::make_shared<GradedSize>(kBox, rings(count, chords),
@@ -109,15 +109,19 @@ int main(int argc, char** argv)
         return 0.02 + 0.015 * std::sin(7 * p.x) * std::cos(9 * p.y);
     };
     const auto jump = [](Vec2 p) { return distance(p, {0.5, 0.5}) < 0.2 ? 0.002 : 0.1; };
-    std::printf("%-34s %8s %10s %10s\n", "field", "build s", "near M/s", "random M/s");
-    measure("200 chords", [&] { return graded(4, 50); }, queries);
-    measure("10,000 chords", [&] { return graded(20, 500); }, queries);
-    measure("100,000 chords", [&] { return graded(40, 2500); }, queries);
-    measure("smooth area", [&] { return area(smooth); }, queries);
-    measure("region with a jump", [&] { return area(jump); }, queries);
-    measure("10,000 chords and a smooth area", [&] {
+    bench::Section section("Size fields: building and 2 x 2,000,000 queries", "");
+    const auto add = [&](const std::string& name, const MakeField& make) {
+        const auto run = [&where, make](bench::Result& result) { measure(result, make, where); };
+        section.add(name, "Tessera", run, kRepetitions);
+    };
+    add("200 chords", [&] { return graded(4, 50); });
+    add("10,000 chords", [&] { return graded(20, 500); });
+    add("100,000 chords", [&] { return graded(40, 2500); });
+    add("smooth area", [&] { return area(smooth); });
+    add("region with a jump", [&] { return area(jump); });
+    add("10,000 chords and a smooth area", [&] {
         return std::make_shared<MinSize>(std::vector<std::shared_ptr<const SizeField>> {
             graded(20, 500), area(smooth)});
-    }, queries);
-    return 0;
+    });
+    return section.run(argc, argv);
 }

@@ -80,6 +80,7 @@ class Section:
         ]
         first = {case: min(engines)[0] for case, engines in runs.items()}
         self.cases.sort(key=lambda case: first[case.name])
+        self.has_peer = any(case.find(case.reference) for case in self.cases)
 
 
 def number(value, digits=3):
@@ -91,11 +92,11 @@ def number(value, digits=3):
     return f"{value:.{digits}g}"
 
 
-def at_most(value, target, text):
+def at_most(value, target):
     """The target, and whether it is reached."""
     if not target:
         return ""
-    return f"≤ {text(target)}{'' if value <= target else ' missed'}"
+    return f"≤ {target:g}{'' if value <= target else ' missed'}"
 
 
 def aligned(rows):
@@ -115,22 +116,25 @@ def aligned(rows):
 
 
 def summary(sections):
+    """One line for each input that has a peer."""
     rows = [["input", "ms", "peer", "ratio", "target", "bytes", "target", "ratio to others"]]
     for section in sections:
         rows.append([f"**{section.title}**"] + [""] * 7)
         for case in section.cases:
             ours, reference = case.engines[0], case.find(case.reference)
+            if reference is None:
+                continue
             others = [e for e in case.engines[1:] if e is not reference]
-            ratio = case.ratio(reference) if reference else None
+            ratio = case.ratio(reference)
             rows.append(
                 [
                     case.name,
                     number(ours.ms),
-                    reference.name if reference else "",
-                    f"{ratio:.2g}" if reference else "",
-                    at_most(ratio, case.ratio_target, lambda t: f"{t:g}") if reference else "",
+                    reference.name,
+                    f"{ratio:.2g}",
+                    at_most(ratio, case.ratio_target),
                     number(ours.bytes),
-                    at_most(ours.bytes or 0, case.bytes_target, lambda t: f"{t:g}"),
+                    at_most(ours.bytes or 0, case.bytes_target),
                     ", ".join(f"{e.name} {case.ratio(e):.2g}" for e in others),
                 ]
             )
@@ -178,9 +182,9 @@ def machine(sections):
 
 
 def document(sections):
-    parts = [HEAD.format(machine=machine(sections)), summary(sections), "\n"]
-    for section in sections:
-        parts.append(f"\n## {section.title}\n\n{details(section)}\n")
+    compared = [section for section in sections if section.has_peer]
+    parts = [HEAD.format(machine=machine(sections)), summary(compared), "\n"]
+    parts += [f"\n## {section.title}\n\n{details(section)}\n" for section in sections]
     return "".join(parts)
 
 
@@ -190,7 +194,12 @@ def main():
     parser.add_argument("--write", metavar="FILE.md")
     arguments = parser.parse_args()
     sections = [Section(path) for path in arguments.results]
-    print(f"\n{machine(sections)}\n\n{summary(sections)}")
+    print(f"\n{machine(sections)}")
+    if any(section.has_peer for section in sections):
+        print(f"\n{summary([section for section in sections if section.has_peer])}")
+    for section in sections:
+        if not section.has_peer:
+            print(f"\n{section.title}\n\n{details(section)}")
     if arguments.write:
         Path(arguments.write).write_text(document(sections))
 
