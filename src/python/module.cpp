@@ -5,6 +5,7 @@
 #include "python/local_sizes.h"
 #include "python/mesh_result.h"
 #include "python/network_input.h"
+#include "python/overlay_result.h"
 #include "python/python_error.h"
 #include "python/run.h"
 #include "recover/recover.h"
@@ -127,6 +128,7 @@ PYBIND11_MODULE(_tessera, module)
     defineLocalSizes(module);
     defineRun(module);
     defineErrors(module);
+    defineOverlay(module);
     defineFiles(module);
     // Errors outside a run (writing a file): no names to give.
     py::register_exception_translator([](std::exception_ptr pointer) {

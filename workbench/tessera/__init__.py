@@ -5,6 +5,7 @@
     mesh = tessera.mesh(source, size=2.0)      # source: sketch, shape, list of them, or arrays
     mesh.nodes, mesh.triangles, mesh.groups, mesh.report
     mesh.to_fem(), mesh.write("a.vtu"), mesh.plot("a.png")
+    tessera.overlay([a, b, c]).union()         # Booleans of any number of operands
 
 Works the same in a FreeCAD macro, in FreeCAD's command line and in plain Python, where FreeCAD is
 not needed for arrays. Errors are subclasses of tessera.Error.
@@ -27,7 +28,9 @@ from tessera.errors import (
 # loaded on first use.
 _LAZY = {
     "mesh": ("tessera.meshing", "mesh"),
+    "overlay": ("tessera.overlaying", "overlay"),
     "Mesh": ("tessera.result", "Mesh"),
+    "Overlay": ("tessera.overlaying", "Overlay"),
     "Execution": ("tessera.meshing", "Execution"),
     "__version__": ("tessera.meshing", "VERSION"),
 }
@@ -40,12 +43,14 @@ __all__ = [
     "InvalidOptionError",
     "Mesh",
     "NoInsideError",
+    "Overlay",
     "Place",
     "TimeLimitError",
     "TooLargeError",
     "UnreadableError",
     "UnwritableError",
     "mesh",
+    "overlay",
 ]
 
 
