@@ -81,7 +81,7 @@ public:
             if (!numbers_.contains(number)) {
                 throw Error(ErrorKind::InvalidOption,
                             fmt::format("No segment has the marker, line or edge number {} that "
-                                        "--boundary or --constraint lists.",
+                                        "--boundary, --constraint or --ignore lists.",
                                         number));
             }
         }
@@ -101,6 +101,9 @@ private:
         }
         for (const std::int32_t edge : roles_.constraint) {
             addEdgeRole(options, edge, Role::Constraint);
+        }
+        for (const std::int32_t edge : roles_.ignored) {
+            addEdgeRole(options, edge, Role::Ignored);
         }
         CadInput input = readCad(path, options);
         plane_ = input.frame;

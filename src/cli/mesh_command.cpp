@@ -80,6 +80,8 @@ void addOptions(CLI::App& command, MeshArguments& a)
                   "Markers (.poly), lines (.wkt) or edges (CAD) that separate");
     addNumberList(command, "--constraint", a.roles.constraint,
                   "Markers, lines or edges that are kept and do not separate");
+    addNumberList(command, "--ignore", a.roles.ignored,
+                  "Markers, lines or edges that are left out");
     command.add_flag("--no-refine", a.noRefine,
                      "No interior points; straight segments are not divided");
     command.add_flag("--no-optimize", a.noOptimize, "Leave the triangles as they were inserted");

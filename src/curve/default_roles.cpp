@@ -234,7 +234,7 @@ void forEachOperand(const CurveNetwork& network, Wanted wanted, F f)
 {
     std::vector<std::uint32_t> order;
     for (std::uint32_t c = 0; c < network.curves.size(); ++c) {
-        if (wanted(network.curves[c])) {
+        if (wanted(c)) {
             order.push_back(c);
         }
     }
@@ -299,9 +299,19 @@ EdgeClasses classifyEdges(std::span<const GraphEdge> edges, std::size_t vertexCo
 void assignPolyRoles(CurveNetwork& network, OperandId operand,
                      std::span<const std::int32_t> settledMarkers)
 {
-    const auto wanted = [operand, settledMarkers](const NetworkCurve& c) {
-        return c.operand == operand
-            && std::ranges::find(settledMarkers, c.marker) == settledMarkers.end();
+    std::vector<std::uint8_t> settled;
+    for (const NetworkCurve& c : network.curves) {
+        const bool found = std::ranges::find(settledMarkers, c.marker) != settledMarkers.end();
+        settled.push_back(found ? 1 : 0);
+    }
+    assignPolyRolesExcept(network, operand, settled);
+}
+
+void assignPolyRolesExcept(CurveNetwork& network, OperandId operand,
+                           std::span<const std::uint8_t> settled)
+{
+    const auto wanted = [&network, operand, settled](std::uint32_t c) {
+        return network.curves[c].operand == operand && settled[c] == 0;
     };
     forEachOperand(network, wanted, [&network](std::span<const std::uint32_t> curves) {
         const auto [edges, vertexCount] = graphOf(network, curves);
@@ -315,7 +325,9 @@ void assignPolyRoles(CurveNetwork& network, OperandId operand,
 
 void settleChainRoles(CurveNetwork& network)
 {
-    const auto wanted = [](const NetworkCurve& c) { return c.role == Role::Chain; };
+    const auto wanted = [&network](std::uint32_t c) {
+        return network.curves[c].role == Role::Chain;
+    };
     forEachOperand(network, wanted, [&network](std::span<const std::uint32_t> curves) {
         const auto [edges, vertexCount] = graphOf(network, curves);
         const EdgeClasses classes = classifyEdges(edges, vertexCount, {.cutBridges = true});

@@ -55,6 +55,10 @@ EdgeClasses classifyEdges(std::span<const GraphEdge> edges, std::size_t vertexCo
 void assignPolyRoles(CurveNetwork& network, OperandId operand,
                      std::span<const std::int32_t> settledMarkers = {});
 
+/// The same, with the curves c that keep their role given by settled[c].
+void assignPolyRolesExcept(CurveNetwork& network, OperandId operand,
+                           std::span<const std::uint8_t> settled);
+
 /// Settles every Role::Chain: a curve on a closed chain becomes Boundary (Outline where chains
 /// branch so that degrees are odd), one on no closed chain a Constraint. By point index, so weld
 /// end points first.

@@ -11,11 +11,12 @@ namespace tessera
 {
 
 /// Roles that the user gives by number: markers (.poly), line numbers (.wkt), edge numbers (CAD).
-/// A number in both lists is a constraint.
+/// Of several lists that have a number the last one counts.
 struct RoleLists
 {
     std::vector<std::int32_t> boundary;
     std::vector<std::int32_t> constraint;
+    std::vector<std::int32_t> ignored;
 
     /// Gives a curve the role of its number, if it is in a list.
     void apply(NetworkCurve& curve, std::int64_t number) const
@@ -26,12 +27,16 @@ struct RoleLists
         if (std::ranges::find(constraint, number) != constraint.end()) {
             curve.role = Role::Constraint;
         }
+        if (std::ranges::find(ignored, number) != ignored.end()) {
+            curve.role = Role::Ignored;
+        }
     }
-    /// All numbers of both lists.
+    /// All numbers of all lists.
     std::vector<std::int32_t> all() const
     {
         std::vector<std::int32_t> numbers = boundary;
         numbers.insert(numbers.end(), constraint.begin(), constraint.end());
+        numbers.insert(numbers.end(), ignored.begin(), ignored.end());
         return numbers;
     }
 };

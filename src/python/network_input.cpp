@@ -235,7 +235,7 @@ void NetworkInput::addSegments(const Coordinates& points, const Indices& segment
         }
         network.curves.push_back(std::move(curve));
     }
-    assignPolyRoles(network, operand);
+    std::vector<std::uint8_t> settled(count, 0);
     for (const auto& [segment, role] : roles) {
         if (segment >= count) {
             raise(Error(ErrorKind::InvalidOption,
@@ -243,7 +243,9 @@ void NetworkInput::addSegments(const Coordinates& points, const Indices& segment
                             + std::to_string(count) + ", counted from 0."));
         }
         network.curves[segment].role = role;
+        settled[segment] = 1;
     }
+    assignPolyRolesExcept(network, operand, settled);
     embedUnusedPoints(network, operand);
     beginSource("Segment", {});
     appendNetwork(network_, std::move(network));

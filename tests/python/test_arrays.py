@@ -232,3 +232,16 @@ def test_missing_module_says_how_to_build(tmp_path):
     command = [sys.executable, "-c", code]
     printed = subprocess.run(command, cwd=tmp_path, env={}, stdout=subprocess.PIPE, check=True)
     assert b"tools/build" in printed.stdout and bytes(package) in printed.stdout
+
+
+def test_ignored_segments_and_polygons():
+    square = [(0, 0), (10, 0), (10, 10), (0, 10)]
+    sides = [(0, 1), (1, 2), (2, 3), (3, 0), (0, 2)]
+    whole = tessera.mesh((square, sides), size=2, ignore=[4])
+    assert whole.report["area"] == pytest.approx(100)
+    assert whole.report["regions"] == 1
+    half = tessera.mesh((square, sides), size=2, ignore=[0, 1])
+    assert half.report["area"] == pytest.approx(50)
+    inner = [(2, 2), (4, 2), (4, 4), (2, 4)]
+    mesh = tessera.mesh([[square], [inner]], size=2, ignore=["Polygon1"])
+    assert mesh.report["area"] == pytest.approx(4)

@@ -126,6 +126,21 @@ def test_roles_by_number_name_and_link(document):
         assert length_of(mesh, mesh.edges[mesh.groups["Sketch_Geometry4"].members]) == 4.0
 
 
+def test_boundary_and_ignored_curves(document):
+    """Open lines that the user makes a boundary; a loop left out."""
+    source = sketch(document, rectangle(20, 10) + rectangle(4, 4, 3, 3))
+    mesh = tessera.mesh(source, size=2, ignore=[4, 5, 6, 7])
+    assert mesh.report["area"] == pytest.approx(200)
+    assert "Sketch_Geometry4" not in mesh.groups
+    mesh = tessera.mesh(source, size=2, constraint=[4, 5, 6, 7], boundary=[4, 5, 6, 7])
+    assert mesh.report["area"] == pytest.approx(184)
+    edge = shapes.edge_of_geometry(source, 5)
+    mesh = tessera.mesh(source, size=2, ignore=[(source, (edge,))], constraint=[4, 6, 7])
+    assert mesh.report["area"] == pytest.approx(200)
+    with pytest.raises(tessera.InvalidOptionError, match="give other geometry as a source"):
+        tessera.mesh(source, ignore=Part.makeCircle(2))
+
+
 def test_edges_of_the_shape_and_geometry_find_each_other(document):
     source = plate(document)
     source.Placement = FreeCAD.Placement(Vector(1, 2, 3), FreeCAD.Rotation(Vector(0, 1, 0), 30))

@@ -44,6 +44,7 @@ def mesh(
     weld=None,
     constraint=(),
     boundary=(),
+    ignore=(),
     construction=False,
     recovery="cavity",
     refine=True,
@@ -84,7 +85,8 @@ def mesh(
     max_area      of a triangle, > 0; None: no bound.
     weld          ends of curves closer than this become one; None: 0 for arrays, the CAD tolerance
                   for shapes.
-    constraint    curves that are kept in the mesh but bound nothing; boundary: curves that bound.
+    constraint    curves that are kept in the mesh but bound nothing; boundary: curves that bound;
+                  ignore: curves that are left out. The last of these that names a curve counts.
                   Numbers (of Geometry in a sketch, of edges from 1 in a shape, of segments from 0),
                   names ("Edge7", "Geometry3", "Sketch_Geometry3"), and for constraint also further
                   FreeCAD objects, links and shapes.
@@ -125,7 +127,7 @@ def mesh(
     if isinstance(source, Prepared):
         prepared = source
     else:
-        prepared = prepare(source, bool(construction), constraint, boundary)
+        prepared = prepare(source, bool(construction), constraint, boundary, ignore)
     folder = "" if stages is None else _folder("stages", stages)
     with prepared.placed_errors():
         options.sizes = local_sizes(

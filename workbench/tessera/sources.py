@@ -58,13 +58,17 @@ class Prepared:
             raise
 
 
-def prepare(source, construction=False, constraint=(), boundary=()):
+def prepare(source, construction=False, constraint=(), boundary=(), ignore=()):
     """Reads the source. Raises tessera.Error."""
     items = _items(source)
-    names = _list(constraint, "constraint"), _list(boundary, "boundary")
+    roles = (
+        (native.Role.constraint, _list(constraint, "constraint")),
+        (native.Role.boundary, _list(boundary, "boundary")),
+        (native.Role.ignored, _list(ignore, "ignore")),
+    )
     if any(_looks_like_cad(item) for item in items):
-        return _prepare_cad(items, construction, *names)
-    return _prepare_arrays(items, *names)
+        return _prepare_cad(items, construction, roles)
+    return _prepare_arrays(items, roles)
 
 
 def _looks_like_cad(item):
@@ -111,20 +115,21 @@ def _list(value, what):
 # Arrays
 
 
-def _prepare_arrays(items, constraint, boundary):
-    for element in constraint + boundary:
-        if not _is_array_element(element, items):
-            raise InvalidOptionError(_nothing_called(element))
+def _prepare_arrays(items, roles):
+    """roles: (role, elements); of several that name one element the last counts."""
+    for _, elements in roles:
+        for element in elements:
+            if not _is_array_element(element, items):
+                raise InvalidOptionError(_nothing_called(element))
     network = native.NetworkInput()
     for number, item in enumerate(items):
         name = f"Polygon{number + 1}"
         if arrays.is_points_and_segments(item):
-            _add_segments(network, item, len(items), number, constraint, boundary)
+            _add_segments(network, item, len(items), number, roles)
         else:
-            constrained = _has(constraint, name, number)
-            if _has(boundary, name, number):
-                constrained = False
-            role = native.Role.constraint if constrained else native.Role.boundary
+            role = native.Role.boundary
+            for given, elements in roles:
+                role = given if _has(elements, name, number) else role
             network.add_polygon(arrays.rings_of(item), name, role)
     return Prepared(network, np.eye(4), ArrayNames(items))
 
@@ -177,22 +182,20 @@ def _is_array_element(element, items):
     return isinstance(element, str) and element in {f"Polygon{i + 1}" for i in range(len(items))}
 
 
-def _add_segments(network, item, count, number, constraint, boundary):
+def _add_segments(network, item, count, number, roles):
     points = arrays.points_array(item[0], "points")
     segments = arrays.index_array(item[1], 2, "segments")
     markers = arrays.index_array(item[2] if len(item) == 3 else (), 0, "markers")
-    roles = []
+    given = []
     if count == 1:
-        given = ((constraint, native.Role.constraint), (boundary, native.Role.boundary))
-        for elements, role in given:
-            roles += [(int(i), role) for i in elements if not isinstance(i, str) and i >= 0]
-    network.add_segments(points, segments, markers, f"Segments{number + 1}", roles)
+        given = [(int(i), role) for role, elements in roles for i in elements]
+    network.add_segments(points, segments, markers, f"Segments{number + 1}", given)
 
 
 # FreeCAD
 
 
-def _prepare_cad(items, construction, constraint, boundary):
+def _prepare_cad(items, construction, roles):
     from tessera import shapes
 
     for item in items:
@@ -200,15 +203,13 @@ def _prepare_cad(items, construction, constraint, boundary):
             raise InvalidInputError("Arrays and FreeCAD shapes cannot be meshed together.")
     sources = [shapes.make_source(item, construction) for item in items]
     added = []
-    for element in constraint:
-        if shapes.is_cad(element):
-            added += _constrain_cad(sources, element, construction, shapes)
-        else:
-            source, number = _find(sources, element)
-            source.roles[number] = native.Role.constraint
-    for element in boundary:
-        source, number = _find(sources, element)
-        source.roles[number] = native.Role.boundary
+    for role, elements in roles:
+        for element in elements:
+            if shapes.is_cad(element):
+                added += _give_role(sources, element, role, construction, shapes)
+            else:
+                source, number = _find(sources, element)
+                source.roles[number] = role
     everything = sources + added
     prefixes = _prefixes(everything)
 
@@ -330,8 +331,9 @@ def _find(sources, element):
     return found[0]
 
 
-def _constrain_cad(sources, item, construction, shapes):
-    """Edges of a source get the role; other geometry is returned as further sources."""
+def _give_role(sources, item, role, construction, shapes):
+    """Edges of a source get the role; other geometry is returned as further sources of
+    constraints."""
     if shapes.is_link(item):
         owner, subs = item
         subs = [subs] if isinstance(subs, str) else list(subs)
@@ -339,11 +341,16 @@ def _constrain_cad(sources, item, construction, shapes):
             numbers = [source.edge_number(sub) for sub in subs]
             if source.owner is owner and subs and None not in numbers:
                 for number in numbers:
-                    source.roles[number] = native.Role.constraint
+                    source.roles[number] = role
                 return []
+    if role != native.Role.constraint:
+        raise InvalidOptionError(
+            "boundary and ignore take curves of what is meshed only; give other geometry as a "
+            "source."
+        )
     source = shapes.make_source(item, construction)
     for number in range(1, len(source.elements) + 1):
-        source.roles[number] = native.Role.constraint
+        source.roles[number] = role
     return [source]
 
 

@@ -136,6 +136,9 @@ TEST_F(MeshCommand, RolesByMarkerAndLine)
     program.give("a.wkt", "POLYGON((0 0,10 0,10 10,0 10,0 0))\nLINESTRING(2 2,4 2,4 4,2 2)\n");
     EXPECT_EQ(mesh({"a.wkt", "--no-refine"})["regions"], 1);
     EXPECT_EQ(mesh({"a.wkt", "--no-refine", "--boundary", "2"})["regions"], 2);
+    EXPECT_NEAR(mesh({"a.poly", "--no-refine", "--ignore", "2"})["area"].get<double>(), 100.0, 1e-9);
+    EXPECT_NEAR(mesh({"a.poly", "--no-refine", "--ignore", "1"})["area"].get<double>(), 9.0, 1e-9);
+    EXPECT_EQ(mesh({"a.wkt", "--no-refine", "--boundary", "2", "--ignore", "1"})["area"], 2.0);
     refuse({"mesh", "a.poly", "-o", "x.vtu", "--constraint", "2,7"}, "number 7");
 }
 
@@ -469,7 +472,7 @@ TEST_F(MeshCommand, VersionAndHelp)
     const std::string help = program.run({"mesh", "--help"}).out;
     for (const char* option :
          {"--size", "--min-size", "--growth", "--order", "--fill", "--boundary", "--constraint",
-          "--min-angle", "--max-area", "--no-refine", "--no-optimize", "--weld", "--recovery",
+          "--ignore", "--min-angle", "--max-area", "--no-refine", "--no-optimize", "--weld", "--recovery",
           "--time-limit", "--stages", "--report", "--quiet"}) {
         EXPECT_NE(help.find(option), std::string::npos) << option;
     }

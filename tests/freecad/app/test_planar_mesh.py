@@ -13,6 +13,7 @@ from FreeCAD import Vector
 
 import tessera
 from tessera.objects import planar_mesh
+from tessera.shapes import edge_of_geometry
 from tessera.tools.request import MeshRequest, default_size
 
 
@@ -37,6 +38,9 @@ def test_the_format_of_files(document):
         "Source": "App::PropertyLinkGlobal",
         "Faces": "App::PropertyLinkSubGlobal",
         "Constraints": "App::PropertyLinkSubListGlobal",
+        "Boundaries": "App::PropertyLinkSubListGlobal",
+        "Ignored": "App::PropertyLinkSubListGlobal",
+        "Construction": "App::PropertyBool",
         "Size": "App::PropertyLength",
         "GrowthRate": "App::PropertyFloatConstraint",
         "ElementOrder": "App::PropertyIntegerConstraint",
@@ -160,6 +164,35 @@ def test_constraint_edges_do_not_bound(document):
     assert sketches.fem_area(fem) == pytest.approx(6000.0)
     groups = {fem.getGroupName(g): g for g in fem.Groups}
     assert fem.getGroupElements(groups["Plate_Geometry4"])
+
+
+def test_ignored_edges_and_construction_geometry(document):
+    sketch = sketches.plate(document)
+    line = sketch.addGeometry(Part.LineSegment(Vector(10, 10, 0), Vector(30, 10, 0)), True)
+    document.recompute()
+    circle = edge_of_geometry(sketch, 4)
+    obj = planar_mesh.make_planar_mesh(sketch, size=5.0)
+    obj.Ignored = [(sketch, circle)]
+    recompute(obj)
+    fem = obj.FemMesh
+    assert sketches.fem_area(fem) == pytest.approx(6000.0)
+    assert "Plate_Geometry4" not in {fem.getGroupName(g) for g in fem.Groups}
+    obj.Construction = True
+    recompute(obj)
+    fem = obj.FemMesh
+    groups = {fem.getGroupName(g): g for g in fem.Groups}
+    assert len(fem.getGroupElements(groups[f"Plate_Geometry{line}"])) >= 4
+
+
+def test_boundary_edges_come_after_constraints(document):
+    sketch = sketches.plate(document)
+    circle = edge_of_geometry(sketch, 4)
+    obj = planar_mesh.make_planar_mesh(sketch, size=5.0)
+    obj.Constraints = [(sketch, circle)]
+    obj.Boundaries = [(sketch, circle)]
+    recompute(obj)
+    hole = sketches.fem_area(obj.FemMesh) - sketches.PLATE_AREA
+    assert 0 < hole < sketches.chord_error(15.0, 5.0)
 
 
 def test_crossing_lines_are_counted(document):

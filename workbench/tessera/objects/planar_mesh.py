@@ -49,6 +49,32 @@ PROPERTIES = (
         _NORMAL,
     ),
     (
+        "Boundaries",
+        "App::PropertyLinkSubListGlobal",
+        "Mesh",
+        QT_TRANSLATE_NOOP("App::Property", "Edges of Source that bound whatever they connect"),
+        None,
+        _NORMAL,
+    ),
+    (
+        "Ignored",
+        "App::PropertyLinkSubListGlobal",
+        "Mesh",
+        QT_TRANSLATE_NOOP("App::Property", "Edges of Source that are left out"),
+        None,
+        _NORMAL,
+    ),
+    (
+        "Construction",
+        "App::PropertyBool",
+        "Mesh",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Construction geometry of the sketch is kept in the mesh too"
+        ),
+        None,
+        _NORMAL,
+    ),
+    (
         "Size",
         "App::PropertyLength",
         "Mesh",
@@ -288,8 +314,20 @@ def request_of(obj):
         order=obj.ElementOrder,
         fill=obj.Fill,
         weld=obj.Weld.Value,
-        constraints=tuple((owner, tuple(names)) for owner, names in obj.Constraints),
+        constraints=_edges_of(obj.Constraints),
+        boundaries=_edges_of(obj.Boundaries),
+        ignored=_edges_of(obj.Ignored),
+        construction=obj.Construction,
     )
+
+
+def _edges_of(links):
+    """Of a property with links to edges, as a request has them."""
+    return tuple((owner, tuple(names)) for owner, names in links)
+
+
+def _links_to(edges):
+    return [(owner, list(names)) for owner, names in edges]
 
 
 def apply_request(obj, request):
@@ -303,7 +341,10 @@ def apply_request(obj, request):
         "ElementOrder": request.order,
         "Fill": request.fill,
         "Weld": request.weld,
-        "Constraints": [(owner, list(names)) for owner, names in request.constraints],
+        "Constraints": _links_to(request.constraints),
+        "Boundaries": _links_to(request.boundaries),
+        "Ignored": _links_to(request.ignored),
+        "Construction": request.construction,
     }
     current = request_of(obj)
     same = {
@@ -315,6 +356,9 @@ def apply_request(obj, request):
         "Fill": current.fill == request.fill,
         "Weld": current.weld == request.weld,
         "Constraints": current.constraints == request.constraints,
+        "Boundaries": current.boundaries == request.boundaries,
+        "Ignored": current.ignored == request.ignored,
+        "Construction": current.construction == request.construction,
     }
     for name, value in values.items():
         if not same[name]:

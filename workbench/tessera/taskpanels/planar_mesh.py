@@ -5,6 +5,8 @@ Nothing enters the document before there is a mesh. All that the panel does to t
 step of undo: OK ends it, Cancel takes it back.
 """
 
+from dataclasses import replace
+
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
@@ -105,6 +107,7 @@ class PlanarMeshPanel:
         else:
             request = planar_mesh.request_of(self._edited)
             self._meshed = [request]
+        self._shown = request
         self._size.set(request.size)
         self._weld.set(request.weld)
         self._growth.set(request.growth)
@@ -167,7 +170,8 @@ class PlanarMeshPanel:
         for owner, name in self._constraints:
             if alone or owner is target.source:
                 constraints.setdefault(owner, []).append(name)
-        return MeshRequest(
+        return replace(  # what has no field stays as it is
+            self._shown,
             source=target.source,
             faces=tuple(target.faces),
             size=self._size.get(),

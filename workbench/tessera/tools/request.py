@@ -30,6 +30,9 @@ class MeshRequest:
     fill: str = "Even-odd"  #: a key of FILLS
     weld: float = 0.0  #: ends of curves closer than this become one, mm; 0: the shape's tolerance
     constraints: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: (object, edge names)
+    boundaries: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: of the source
+    ignored: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: of the source
+    construction: bool = False  #: construction geometry of a sketch joins as constraints
 
     def prepare(self):
         """Reads the document, on the main thread; the result does not look at it again."""
@@ -40,7 +43,13 @@ class MeshRequest:
                 "There is nothing to mesh; choose a sketch or a planar shape as Source."
             )
         item = (self.source, list(self.faces)) if self.faces else self.source
-        return prepare(item, constraint=list(self.constraints))
+        return prepare(
+            item,
+            construction=self.construction,
+            constraint=list(self.constraints),
+            boundary=list(self.boundaries),
+            ignore=list(self.ignored),
+        )
 
     def mesh(self, prepared, progress=None, execution=None):
         """Runs the mesher, on any thread. Raises tessera.Error."""
