@@ -119,9 +119,7 @@ private:
     /// Multiplies all points by a power of two: exact, since they stay within kMaxSpan of 1.
     void scalePoints(int power)
     {
-        const auto scale = [power](Vec2& p) {
-            p = {std::ldexp(p.x, power), std::ldexp(p.y, power)};
-        };
+        const auto scale = [power](Vec2& p) { p = scaled(p, power); };
         if (power != 0) {
             std::for_each(t().points.begin(), t().points.end(), scale);
             scale(box_.min);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/vec2.h"
+
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace tessera
@@ -22,6 +25,12 @@ inline int lowestBit(double value)
     const std::uint64_t hidden = ((bits >> 52) & 0x7ff) != 0 ? 0x10000000000000ULL : 0ULL;
     const std::uint64_t mantissa = (bits & 0xfffffffffffffULL) | hidden;
     return exponentOf(value) - 52 + std::countr_zero(mantissa);
+}
+
+/// p times 2^power: exact unless a coordinate leaves the range of doubles.
+inline Vec2 scaled(Vec2 p, int power)
+{
+    return {std::ldexp(p.x, power), std::ldexp(p.y, power)};
 }
 
 } // namespace tessera

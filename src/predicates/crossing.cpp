@@ -12,6 +12,7 @@
 
 #include "predicates/crossing.h"
 
+#include "predicates/bits.h"
 #include "predicates/expansion.h"
 
 #include <algorithm>
@@ -233,11 +234,6 @@ int scalingPower(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
         greatest = std::max({greatest, std::fabs(p.x), std::fabs(p.y)});
     }
     return greatest >= 0x1p-90 && greatest <= 0x1p300 ? 0 : -std::ilogb(greatest);
-}
-
-Vec2 scaled(Vec2 p, int power)
-{
-    return {std::ldexp(p.x, power), std::ldexp(p.y, power)};
 }
 
 } // namespace

@@ -236,16 +236,4 @@ constexpr Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<
     }
 }
 
-/// a - b of two doubles, exactly.
-constexpr Expansion<2> exactDifference(double a, double b)
-{
-    return twoDifference(a, b);
-}
-
-/// a * b of two doubles, exactly.
-constexpr Expansion<2> exactProduct(double a, double b)
-{
-    return twoProduct(a, b);
-}
-
 } // namespace tessera

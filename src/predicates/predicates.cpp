@@ -76,11 +76,6 @@ int scaleFor(ExponentRange range, ExponentLimits limits)
     return limits.max - range.max;
 }
 
-Vec2 scaled(Vec2 p, int power)
-{
-    return {std::ldexp(p.x, power), std::ldexp(p.y, power)};
-}
-
 int compareProducts(double a, double b, double c, double d)
 {
     const TwoPart left = twoProduct(a, b);

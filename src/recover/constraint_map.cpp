@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// All sorting is by vertex numbers, with buckets: linear but for vertices of high degree.
+// All sorting is by vertex numbers, with buckets: linear but for vertices of high degree. The
+// chains are copied out and freed first, so that the subsegments take the place of their memory.
 
 #include "recover/constraint_map.h"
 
@@ -19,22 +20,18 @@ struct Buckets
     std::vector<std::uint32_t> start;
     std::vector<std::uint32_t> items;
 
-    /// key(i) is below keyCount, or at least that for an item to be left out.
+    /// key(i) is below keyCount.
     template<class Key>
     Buckets(std::size_t n, std::size_t keyCount, Key&& key)
         : start(keyCount + 1, 0)
     {
         for (std::size_t i = 0; i < n; ++i) {
-            if (key(i) < keyCount) {
-                ++start[key(i)];
-            }
+            ++start[key(i)];
         }
         std::exclusive_scan(start.begin(), start.end(), start.begin(), 0U);
         items.resize(start.back());
         for (std::size_t i = 0; i < n; ++i) {
-            if (key(i) < keyCount) {
-                items[start[key(i)]++] = static_cast<std::uint32_t>(i);
-            }
+            items[start[key(i)]++] = static_cast<std::uint32_t>(i);
         }
         std::move_backward(start.begin(), start.end() - 1, start.end());
         start[0] = 0;

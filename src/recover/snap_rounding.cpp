@@ -43,6 +43,7 @@
 #include "recover/snap_rounding.h"
 
 #include "delaunay/delaunay.h"
+#include "predicates/bits.h"
 #include "predicates/crossing.h"
 #include "predicates/predicates.h"
 #include "recover/mesh_edit.h"
@@ -132,7 +133,7 @@ std::vector<Vec2> scaledPoints(std::span<const Vec2> points, int power)
 {
     std::vector<Vec2> result(points.begin(), points.end());
     for (std::size_t i = 1; i < result.size(); ++i) {
-        result[i] = {std::ldexp(result[i].x, power), std::ldexp(result[i].y, power)};
+        result[i] = scaled(result[i], power);
     }
     return result;
 }
@@ -419,8 +420,7 @@ private:
         const auto take = [&](std::uint32_t v) {
             if (index[v] == kNone) {
                 index[v] = static_cast<std::uint32_t>(result.points.size());
-                const Vec2 p = centers[v];
-                result.points.push_back({std::ldexp(p.x, -power_), std::ldexp(p.y, -power_)});
+                result.points.push_back(scaled(centers[v], -power_));
             }
         };
         for (std::size_t i = 1; i < input_.size(); ++i) {
