@@ -41,6 +41,7 @@ class Job:
 
     def __init__(self, document, name, sketches, constraints=(), mesh_object=None):
         self.document = document
+        self.title = title_of(document)
         self.name = name
         self.sketches = sketches
         self.constraints = list(constraints)
@@ -56,7 +57,7 @@ class Result:
         """For summary.json: the mesh, what the drawing demands of it, and what was found."""
         comparison = self.comparison
         return {
-            "document": self.job.document.Name,
+            "document": self.job.title,
             "sketch": self.job.name,
             "file": self.stem + ".vtu",
             "triangles": self.mesh.report["triangles"],
@@ -73,6 +74,11 @@ class Result:
             "problems": comparison.problems,
             "seconds": self.seconds,
         }
+
+
+def title_of(document):
+    """The name of the document's file, whose letters FreeCAD's own name may lack."""
+    return os.path.splitext(os.path.basename(document.FileName))[0]
 
 
 def edges_of(sketch, base):
@@ -180,7 +186,7 @@ def place_for(path, out, taken):
 def table_row(result):
     report, comparison = result.mesh.report, result.comparison
     return ROW.format(
-        result.job.document.Name[:12],
+        result.job.title[:12],
         result.job.name[:22],
         report["triangles"],
         f"{report['min_angle_deg']:.1f}",
@@ -236,16 +242,16 @@ def mesh_file(path, out, taken, only, together):
     summaries = []
     for job in jobs:
         try:
-            result = run(job, out, file_name(f"{document.Name}-{job.name}", taken))
+            result = run(job, out, file_name(f"{job.title}-{job.name}", taken))
             say(table_row(result))
             summaries.append(result.summary())
             good = good and not result.comparison.problems
         except Exception as error:
             traceback.print_exc()
-            say(f"{document.Name:<12} {job.name:<22} {error}")
+            say(f"{job.title[:12]:<12} {job.name[:22]:<22} {error}")
             good = False
     if not jobs:
-        say(f"{document.Name:<12} no sketch with a closed outline")
+        say(f"{title_of(document):<12} no sketch with a closed outline")
     saved = place_for(path, out, taken)
     if os.path.exists(saved):
         os.remove(saved)  # FreeCAD would keep it beside as a backup
@@ -268,7 +274,7 @@ def main():
     good = all(fine for _, fine in results)
     say(
         f"\n{len(summaries)} meshes in {len(results)} documents; "
-        + ("all checks passed" if good else "CHECKS FAILED, see above")
+        + ("all checks passed" if good else "NOT ALL COULD BE MESHED AND CHECKED, see above")
         + f"\ndocuments, .vtu, .png: {out}\npictures of the stages: {os.path.join(out, 'stages')}"
     )
     return 0 if good else 1

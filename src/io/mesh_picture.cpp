@@ -59,8 +59,8 @@ void drawMesh(Canvas& canvas, const Mesh& mesh)
     strokeEdges(canvas, mesh.nodes, sides, {kWireColor, 1.1, 14.0, 0.12});
 
     const ConstraintEdges constraints = constraintEdges(mesh);
-    strokeEdges(canvas, mesh.nodes, constraints.inside, {kConstraintColor, 2.8, 10.0, 1.0});
-    strokeEdges(canvas, mesh.nodes, constraints.outline, {kOutlineColor, 3.2, 10.0, 1.3});
+    strokeEdges(canvas, mesh.nodes, constraints.inside, {kConstraintColor, 2.8, 6.0, 1.8});
+    strokeEdges(canvas, mesh.nodes, constraints.outline, {kOutlineColor, 3.2, 6.0, 2.0});
     for (const Group& group : mesh.groups) {
         if (group.kind == GroupKind::Nodes) {
             for (std::uint32_t node : group.members) {

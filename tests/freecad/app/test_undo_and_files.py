@@ -29,7 +29,7 @@ def step(document, obj, size):
 def test_ten_steps_back_and_forth(document):
     obj = meshed_plate(document)
     counts = [obj.Triangles]
-    counts += [step(document, obj, 20.0 - 1.5 * i) for i in range(1, 11)]
+    counts += [step(document, obj, 10.0 - 0.75 * i) for i in range(1, 11)]
     assert len(set(counts)) == len(counts)
     for _ in range(2):
         for count in reversed(counts[:-1]):
