@@ -56,7 +56,7 @@ def test_save_and_reload(document, tmp_path, output):
     panel.set_size("5 mm")
     panel.mesh()
     panel.press("Ok")
-    assert obj.FemMesh.FaceCount > 3 * count
+    assert obj.FemMesh.FaceCount > 2 * count
     window.undo(opened)
     assert obj.FemMesh.FaceCount == obj.Triangles == count
 

@@ -88,7 +88,7 @@ def test_edit(document):
     assert f"{count} triangles" in panel.message
     panel.set_size("5 mm")
     panel.mesh()
-    assert mesh.FemMesh.FaceCount == mesh.Triangles > 4 * count
+    assert mesh.FemMesh.FaceCount == mesh.Triangles > 2 * count
     panel.press("Cancel")
     assert FreeCADGui.ActiveDocument.getInEdit() is None
     assert mesh.FemMesh.FaceCount == mesh.Triangles == count
