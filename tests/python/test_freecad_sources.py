@@ -353,3 +353,57 @@ def test_every_sketch_of_the_corpora_has_freecads_area(corpora):
             count += 1
         FreeCAD.closeDocument(document.Name)
     assert count >= 30
+
+
+def curves_of_every_kind():
+    """(name, curve of a sketch), closed or to be closed by a line."""
+    center, up = Vector(3, 2), Vector(0, 0, 1)
+    ellipse = Part.Ellipse(Vector(8, 2), Vector(3, 4), center)
+    parabola = Part.Parabola(Vector(2, 0), Vector(0, 0), up)
+    hyperbola = Part.Hyperbola(Vector(5, 0), Vector(0, 3), Vector(0, 0))
+    rational = Part.BSplineCurve()
+    poles = [Vector(0, 0), Vector(4, -1), Vector(6, 5), Vector(1, 6)]
+    rational.buildFromPolesMultsKnots(poles, [4, 4], [0, 1], False, 3, [1, 2, 0.5, 1])
+    periodic = Part.BSplineCurve()
+    periodic.buildFromPoles([Vector(0, 0), Vector(5, 0), Vector(6, 5), Vector(0, 4)], True, 3)
+    return [
+        ("circle", Part.Circle(center, up, 4)),
+        ("arc", Part.ArcOfCircle(Part.Circle(center, up, 4), 0.3, 4)),
+        ("ellipse", ellipse),
+        ("ellipse arc", Part.ArcOfEllipse(ellipse, 0.3, 4)),
+        ("parabola", Part.ArcOfParabola(parabola, -4, 5)),
+        ("hyperbola", Part.ArcOfHyperbola(hyperbola, -1, 1.2)),
+        ("rational spline", rational),
+        ("periodic spline", periodic),
+    ]
+
+
+def area_inside(curve):
+    """By polygons of 10,000 and 20,000 points; FreeCAD's own area is off by 1e-4 for splines."""
+    parameters = np.linspace(curve.FirstParameter, curve.LastParameter, 20001)
+    points = np.array([tuple(curve.value(t)) for t in parameters])
+    areas = []
+    for ring in (points[::2], points):
+        x, y = ring[:, 0], ring[:, 1]
+        areas.append(0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))))
+    return areas[1] + (areas[1] - areas[0]) / 3.0
+
+
+@pytest.mark.parametrize("name, curve", curves_of_every_kind(), ids=lambda value: str(value)[:12])
+def test_every_kind_of_curve(document, name, curve):
+    geometry = [curve]
+    start = curve.value(curve.FirstParameter)
+    end = curve.value(curve.LastParameter)
+    if start.distanceToPoint(end) > 1e-6:
+        geometry.append(Part.LineSegment(end, start))
+    source = sketch(document, geometry)
+    source.Placement = FreeCAD.Placement(Vector(7, -3, 2), FreeCAD.Rotation(Vector(1, 1, 0), 50))
+    document.recompute()
+    mesh = tessera.mesh(source, order=2)
+    assert_conforming(mesh)
+    assert mesh.report["area"] == pytest.approx(area_inside(curve), rel=1e-6)
+    members = mesh.groups["Sketch_Geometry0"].members
+    nodes = np.concatenate([mesh.edges[members].ravel(), mesh.edge_mid_nodes[members]])
+    edge = curve.toShape()
+    for x, y in mesh.nodes[np.unique(nodes)]:
+        assert edge.distToShape(Part.Vertex(x, y, 0))[0] < 1e-9
