@@ -258,7 +258,8 @@ double VertexSizes::leastPieces() const
     double pieces = 0.0;
     for (const ConstrainedEdge& edge : editor_.constMesh().edges) {
         const double l = distance(t_.points[edge.a], t_.points[edge.b]);
-        pieces += std::max(1.0, l / (0.5 * kLongest * (h_[edge.a] + h_[edge.b])));
+        const double ratio = l / (0.5 * kLongest * (h_[edge.a] + h_[edge.b]));
+        pieces += ratio > 1.0 ? std::exp2(std::ceil(std::log2(ratio))) : 1.0; // by halving
     }
     return pieces;
 }
