@@ -241,13 +241,24 @@ bool MeshEdit::splitsEdge(HalfEdge edge, Vec2 p) const
 std::uint32_t MeshEdit::splitEdge(HalfEdge edge, Vec2 p)
 {
     const std::uint32_t vertex = takeVertex(p);
-    if (postponed_) {
-        splitOnly(edge, vertex);
-    }
-    else {
+    if (!postponed_ && inBothCircles(edge, p)) {
         cavity_.insert(vertex, true, edge);
+        return vertex;
     }
+    const bool before = std::exchange(postponed_, true);
+    splitOnly(edge, vertex);
+    postpone(before);
     return vertex;
+}
+
+/// A point beside a constrained edge may be outside the circle of the triangle beyond. The conflict
+/// region would then not be one, and its star not Delaunay.
+bool MeshEdit::inBothCircles(HalfEdge edge, Vec2 p) const
+{
+    const Vec2 u = mesh_.points[mesh_.origin(edge)];
+    const Vec2 v = mesh_.points[mesh_.destination(edge)];
+    return incircle(u, v, mesh_.points[mesh_.apex(edge)], p) >= 0
+        && incircle(v, u, mesh_.points[mesh_.apex(mesh_.twin(edge))], p) >= 0;
 }
 
 //            l                     l

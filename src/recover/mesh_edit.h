@@ -107,6 +107,7 @@ private:
     HalfEdge fill(std::uint32_t start, const std::vector<Open>& sides);
     std::uint32_t place(std::uint32_t t, std::uint32_t a, std::uint32_t b, std::uint32_t c);
     void joinSide(HalfEdge h, const Open& side);
+    bool inBothCircles(HalfEdge edge, Vec2 p) const;
     void splitOnly(HalfEdge edge, std::uint32_t p);
     void cutEar(std::vector<Open>& polygon);
     Open openSide(HalfEdge inner, std::uint32_t vertex) const;
