@@ -177,18 +177,27 @@ std::string peers()
     return text.substr(0, std::max<std::size_t>(text.size(), 2) - 2);
 }
 
+/// Which peers besides CGAL run.
+struct Others
+{
+    bool geos = false;
+    bool boost = false;
+};
+
 void addInput(Section& section, const std::string& input, const Points& points, double ratio,
-              bool integers = false)
+              [[maybe_unused]] Others others = {})
 {
     section.add(input, "Tessera", [points](Result& result) { runTessera(result, points); });
 #ifdef TESSERA_HAS_CGAL
     addCgal(section, input, points);
 #endif
 #ifdef TESSERA_HAS_GEOS
-    addGeos(section, input, points);
+    if (others.geos) {
+        addGeos(section, input, points);
+    }
 #endif
 #ifdef TESSERA_HAS_BOOST
-    if (integers) {
+    if (others.boost) {
         addBoost(section, input, points);
     }
 #endif
@@ -201,10 +210,10 @@ int main(int argc, char** argv)
 {
     Section section("Delaunay triangulation of a million points", peers());
     Generator generator;
-    addInput(section, "uniform", generator.uniform(), 0.4);
-    addInput(section, "grid", generator.grid(1.0), 0.4, true);
+    addInput(section, "uniform", generator.uniform(), 0.4, {.geos = true});
+    addInput(section, "grid", generator.grid(1.0), 0.4, {.boost = true});
     addInput(section, "grid of step 0.1", generator.grid(0.1), 0.0);
-    addInput(section, "uniform integers", generator.integers(), 0.0, true);
+    addInput(section, "uniform integers", generator.integers(), 0.0, {.boost = true});
     addInput(section, "clusters", generator.clusters(1e-6, 1e-2), 0.5);
     addInput(section, "equal clusters", generator.clusters(1e-3, 1e-3), 0.5);
     addInput(section, "circle", generator.circle(), 0.65);

@@ -65,6 +65,7 @@ class Section:
         self.title = context.get("title", Path(path).stem)
         self.peers = context.get("peers", "")
         self.compiler = context.get("compiler", "")
+        self.load = max(context.get("load_avg") or [0])
         runs = {}
         for run in result["benchmarks"]:
             if run["run_type"] == "iteration" and not run.get("error_occurred"):
@@ -164,7 +165,7 @@ def details(section):
 
 
 def machine(sections):
-    """CPU, memory, system, compiler, peers, date."""
+    """CPU, memory, system, compiler, peers, load, date."""
     cpu = re.search(r"model name\s*:\s*(.+)", Path("/proc/cpuinfo").read_text())
     system = re.search(r'PRETTY_NAME="(.+)"', Path("/etc/os-release").read_text())
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
@@ -176,6 +177,7 @@ def machine(sections):
         system.group(1) if system else platform.system(),
         *compilers,
         *peers,
+        f"load average up to {max(section.load for section in sections):.0f}",
         datetime.date.today().isoformat(),
     ]
     return "; ".join(parts)
