@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -161,7 +162,7 @@ private:
     {
         const std::shared_ptr<const SizeField> field = sizeStage(callersSize);
         const SizeField& size = *field;
-        refuseTooLarge(leastTriangles());
+        refuseTooLarge(std::max(leastTriangles(), roughTriangles(size)));
         sampleStage(size);
         colored_.reset();
         triangulateStage();
@@ -247,7 +248,7 @@ private:
             local.regions.clear();
             local.gap = 0.0;
         }
-        if (local.regions.empty() && local.gap == 0.0) {
+        if (local.regions.empty() && local.areas.empty() && local.gap == 0.0) {
             return;
         }
         colored_ = std::make_unique<const ColoredPlane>(network_, options_.fill, execution_);
@@ -286,12 +287,56 @@ private:
         return options_.refine && largest > 0.0 ? std::min(length / largest, 1e300) : 0.0;
     }
 
+    /// A quarter of what a look at a few places promises, for sizes so small that the curves alone
+    /// would fill the memory; estimateTriangles() knows better later.
+    double roughTriangles(const SizeField& size) const
+    {
+        if (size.uniformSize() > 0.0 || !options_.refine) {
+            return 0.0;
+        }
+        double pieces = 0.0;
+        constexpr int kPlaces = 4;
+        for (const NetworkCurve& curve : network_.curves) {
+            const double length = curve.role == Role::Ignored ? 0.0 : curveLength(network_, curve);
+            const Vec2 a = network_.points[curve.start.index()];
+            const Vec2 b = network_.points[curve.end.index()];
+            for (int i = 0; length > 0.0 && i < kPlaces; ++i) {
+                const double share = (i + 0.5) / kPlaces;
+                const Vec2 p = curve.geometry
+                    ? curve.geometry->point(curve.geometry->first()
+                                            + share
+                                                * (curve.geometry->last() - curve.geometry->first()))
+                    : a + share * (b - a);
+                pieces += length / kPlaces / size.size(p);
+            }
+        }
+        return 0.25 * (pieces + (colored_ ? roughInterior(size) : 0.0));
+    }
+
+    double roughInterior(const SizeField& size) const
+    {
+        constexpr int kPlaces = 64;
+        const Box2 box = networkBounds(network_);
+        const Vec2 step = 1.0 / kPlaces * (box.max - box.min);
+        double triangles = 0.0;
+        for (int i = 0; i < kPlaces * kPlaces; ++i) {
+            const Vec2 p {box.min.x + (i % kPlaces + 0.5) * step.x,
+                          box.min.y + (i / kPlaces + 0.5) * step.y};
+            if (colored_->regionAt(p).inside) {
+                const double h = size.size(p);
+                triangles += 4.0 / std::numbers::sqrt3 * (step.x / h) * (step.y / h);
+            }
+        }
+        return std::min(triangles, 1e300);
+    }
+
     void sampleStage(const SizeField& size)
     {
         execution_.beginStage("sample", 0.05, 0.1);
         SampleOptions sampleOptions {.straightSegments = options_.refine,
                                      .piecesPerTurn = options_.sizes.piecesPerTurn,
-                                     .chordError = options_.sizes.chordError};
+                                     .chordError = options_.sizes.chordError,
+                                     .growth = options_.growth};
         if (options_.memoryLimit > 0.0) {
             // Every piece has a triangle of its own.
             sampleOptions.mostPieces =

@@ -7,10 +7,14 @@
 #include "curve/line.h"
 #include "sample/separate.h"
 #include "sample/size_integral.h"
+#include "sizing/graded_size.h"
+#include "sizing/min_size.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -33,6 +37,10 @@ bool isCorner(const Curve& curve, double t)
 
 /// A piece of less than this share of the integral of ds/h is never cut in two: see pieceCount().
 constexpr double kWhole = 1.3;
+
+/// Samplings after the first one, with smaller sizes where curves are close to each other.
+constexpr int kMostRounds = 4;
+constexpr std::size_t kMostGrowth = 8;
 
 /// A curve and the direction in which it is sampled: views on a base curve are taken off, so that
 /// all curves with the same geometry are cut at the same points.
@@ -63,7 +71,7 @@ public:
     Sampler(const CurveNetwork& network, const SizeField& size, const SampleOptions& options,
             Execution& execution)
         : network_(network)
-        , size_(size)
+        , given_(size)
         , options_(options)
         , execution_(execution)
         , sharesEnds_(findSharedEnds())
@@ -73,10 +81,59 @@ public:
 
     Pslg run()
     {
+        std::vector<SizeSource> tooClose;
+        for (int round = 0;; ++round) {
+            sampleAll(round == 0 ? 0.0 : 0.5);
+            const std::size_t sampled = pieces_.size();
+            const Separation separation = separatePieces(pslg_.points, pieces_, execution_);
+            // Curves that run on each other unshared come apart at no size.
+            const bool hopeless = !separation.done || pieces_.size() > kMostGrowth * sampled + 1000;
+            if (separation.halves.empty() || hopeless || round == kMostRounds) {
+                break;
+            }
+            for (const CurvePiece& half : separation.halves) {
+                const Vec2 a = pslg_.points[half.a.index()];
+                const Vec2 b = pslg_.points[half.b.index()];
+                tooClose.push_back({a, b, distance(a, b)});
+            }
+            makeFiner(tooClose);
+            pslg_.points = network_.points;
+            pieces_.clear();
+            dropped_.clear();
+        }
+        exportSegments();
+        tellDropped();
+        return std::move(pslg_);
+    }
+
+private:
+    /// The size field with these sizes besides.
+    void makeFiner(const std::vector<SizeSource>& sources)
+    {
+        const double uniform = given_.uniformSize();
+        const GradedSize::Options options {
+            .maxSize = uniform > 0.0 ? uniform : std::numeric_limits<double>::max(),
+            .growth = std::max(options_.growth, given_.gradientBound())};
+        const auto graded = std::make_shared<GradedSize>(networkBounds(network_), sources, options,
+                                                         execution_);
+        if (uniform > 0.0) {
+            finer_ = graded;
+        }
+        else {
+            const std::shared_ptr<const SizeField> given(&given_, [](const SizeField*) {});
+            finer_ = std::make_shared<MinSize>(
+                std::vector<std::shared_ptr<const SizeField>> {given, graded});
+        }
+    }
+
+    const SizeField& field() const { return finer_ ? *finer_ : given_; }
+
+    void sampleAll(double done)
+    {
         for (std::size_t c = 0; c < network_.curves.size(); ++c) {
             if (c % 256 == 0) {
-                execution_.report(static_cast<double>(c)
-                                  / static_cast<double>(network_.curves.size()));
+                execution_.report(std::max(done, static_cast<double>(c)
+                                                     / static_cast<double>(network_.curves.size())));
             }
             const NetworkCurve& curve = network_.curves[c];
             if (curve.role == Role::Ignored) {
@@ -90,13 +147,8 @@ public:
             }
             requireFewPieces(static_cast<double>(pieces_.size()), options_.mostPieces);
         }
-        separatePieces(pslg_.points, pieces_, execution_);
-        exportSegments();
-        tellDropped();
-        return std::move(pslg_);
     }
 
-private:
     using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
     static Ends endsOf(const NetworkCurve& curve)
@@ -154,8 +206,8 @@ private:
     std::vector<double> straightParameters(const LineCurve& line, double length)
     {
         std::vector<double> parameters;
-        if (const double uniform = size_.uniformSize(); uniform > 0.0) {
-            requireFewPieces(length / checkedSize(size_, line.point(0.5)), options_.mostPieces);
+        if (const double uniform = field().uniformSize(); uniform > 0.0) {
+            requireFewPieces(length / checkedSize(field(), line.point(0.5)), options_.mostPieces);
             const std::size_t n = pieceCount(length / uniform);
             for (std::size_t k = 1; k < n; ++k) {
                 parameters.push_back(static_cast<double>(k) / static_cast<double>(n));
@@ -164,12 +216,12 @@ private:
         }
         // Most short pieces need no integral: nowhere on them the size is so small as to cut them.
         const double least =
-            checkedSize(size_, line.point(0.5)) - 0.5 * length * size_.gradientBound();
+            checkedSize(field(), line.point(0.5)) - 0.5 * length * field().gradientBound();
         if (length <= kWhole * least) {
             return parameters;
         }
         const double ends[2] = {0.0, 1.0};
-        const SizeIntegral integral(line, ends, size_, options_, execution_);
+        const SizeIntegral integral(line, ends, field(), options_, execution_);
         const std::size_t n = pieceCount(integral.total());
         for (std::size_t k = 1; k < n; ++k) {
             parameters.push_back(
@@ -186,7 +238,7 @@ private:
         std::vector<std::size_t> counts;
         double length = 0.0;
         for (const std::vector<double>& ends : stretches) {
-            integrals.emplace_back(*geometry, ends, size_, options_, execution_);
+            integrals.emplace_back(*geometry, ends, field(), options_, execution_);
             counts.push_back(countFor(integrals.back()));
             length += integrals.back().length();
         }
@@ -319,7 +371,8 @@ private:
     }
 
     const CurveNetwork& network_;
-    const SizeField& size_;
+    const SizeField& given_;
+    std::shared_ptr<const SizeField> finer_; ///< after the first round
     const SampleOptions& options_;
     Execution& execution_;
     std::vector<std::uint8_t> sharesEnds_;
@@ -343,6 +396,9 @@ Pslg sample(const CurveNetwork& network, const SizeField& size, const SampleOpti
     if (!(options.piecesPerTurn >= 3.0 && options.piecesPerTurn <= 10000.0)) {
         throw Error(ErrorKind::InvalidOption,
                     "The pieces for a full turn must be between 3 and 10000.");
+    }
+    if (!(options.growth > 0.0) || !std::isfinite(options.growth)) {
+        throw Error(ErrorKind::InvalidOption, "The growth rate must be above 0.");
     }
     if (!(options.mostPieces > 0.0)) {
         throw Error(ErrorKind::InvalidOption, "The greatest number of pieces must be above 0.");

@@ -22,6 +22,9 @@ struct SampleOptions
     /// Greatest distance of a piece from its curve, in the input's unit; 0: no bound. Kept as far
     /// as curvature tells it: sagitta = piece^2 curvature / 8.
     double chordError = 0.0;
+    /// How fast pieces may become longer away from places where the size is not fine enough to keep
+    /// curves apart; above 0. Where the size field itself grows faster, as fast as that.
+    double growth = 0.3;
     double mostPieces = kMostPieces; ///< what would become more is refused
 };
 
@@ -31,8 +34,9 @@ struct SampleOptions
 /// piece is already less. It is higher where piecesPerTurn or chordError need it, at least 3 on a
 /// closed curve and 2 on a curved one that shares both ends with another curve. Corners inside a
 /// curve become points.
-/// Pieces of curves that do not cross do not cross either: pieces in the way of others are halved
-/// (see separate.h), so that the pieces have the topology of the arranged curves.
+/// Pieces of curves that do not cross do not cross either: where pieces are in the way of others
+/// (see separate.h) all is sampled again with a size that is smaller there, some times if need be;
+/// what is then still in the way is halved. So the pieces have the topology of the arranged curves.
 /// The result does not depend on a curve's direction, and curves with the same geometry are cut at
 /// the same points, bit for bit. Curves of zero length are dropped and named in Pslg::messages;
 /// curves with Role::Ignored are left out silently.

@@ -33,6 +33,7 @@ public:
         , pieces_(pieces)
         , execution_(execution)
         , isNew_(pieces.size(), 1)
+        , isHalf_(pieces.size(), 0)
     {
         for (const Vec2 p : points) {
             scale_ = std::max({scale_, std::abs(p.x), std::abs(p.y)});
@@ -52,18 +53,31 @@ public:
         }
     }
 
-    void run()
+    Separation run()
+    {
+        Separation result;
+        result.done = separate();
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            if (isHalf_[i] != 0) {
+                result.halves.push_back(pieces_[i]);
+            }
+        }
+        return result;
+    }
+
+private:
+    bool separate()
     {
         const std::size_t most = kMostParts * pieces_.size() + kMostPartsBeside;
         for (int round = 0; round < kMostRounds && pieces_.size() <= most; ++round) {
             if (!findConflicts()) {
-                return;
+                return true;
             }
             halveMarked();
         }
+        return false;
     }
 
-private:
     static double sagittaOf(const CurvePiece& piece)
     {
         return piece.geometry == nullptr
@@ -221,15 +235,18 @@ private:
         std::vector<CurvePiece> pieces;
         std::vector<double> sagittas;
         std::vector<std::uint8_t> isNew;
-        const auto add = [&](const CurvePiece& piece, double sagitta, std::uint8_t created) {
+        std::vector<std::uint8_t> isHalf;
+        const auto add = [&](const CurvePiece& piece, double sagitta, std::uint8_t created,
+                             std::uint8_t half) {
             pieces.push_back(piece);
             sagittas.push_back(sagitta);
             isNew.push_back(created);
+            isHalf.push_back(half);
         };
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             const CurvePiece& piece = pieces_[i];
             if (marked_[i] == 0) {
-                add(piece, sagitta_[i], 0);
+                add(piece, sagitta_[i], 0, isHalf_[i]);
                 continue;
             }
             const double middle = 0.5 * (piece.ta + piece.tb);
@@ -238,12 +255,13 @@ private:
             CurvePiece right = piece;
             left.b = right.a = PointId(points_.size() - 1);
             left.tb = right.ta = middle;
-            add(left, sagittaOf(left), 1);
-            add(right, sagittaOf(right), 1);
+            add(left, sagittaOf(left), 1, 1);
+            add(right, sagittaOf(right), 1, 1);
         }
         pieces_ = std::move(pieces);
         sagitta_ = std::move(sagittas);
         isNew_ = std::move(isNew);
+        isHalf_ = std::move(isHalf);
     }
 
     std::vector<Vec2>& points_;
@@ -251,6 +269,7 @@ private:
     Execution& execution_;
     std::vector<Vec2> lonePoints_; ///< at no piece's end
     std::vector<std::uint8_t> isNew_;
+    std::vector<std::uint8_t> isHalf_; ///< made here
     std::vector<std::uint8_t> marked_;
     std::vector<double> sagitta_;
     double scale_ = 0.0;
@@ -258,10 +277,10 @@ private:
 
 } // namespace
 
-void separatePieces(std::vector<Vec2>& points, std::vector<CurvePiece>& pieces,
-                    Execution& execution)
+Separation separatePieces(std::vector<Vec2>& points, std::vector<CurvePiece>& pieces,
+                          Execution& execution)
 {
-    PieceSeparator(points, pieces, execution).run();
+    return PieceSeparator(points, pieces, execution).run();
 }
 
 } // namespace tessera

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // From places on each curve a ray goes to both sides, to the first chord of a curve in its way, as
-// far as a gap can matter. Places lie at most a size apart, and where a gap is found, half a gap;
-// a narrow place between two of them lies opposite a stretch that bends, whose own places find it.
+// far as a gap can matter. Places lie at most a size apart, and where a gap is found, half of the
+// size that it asks for, so that sizes between them are hardly larger; a narrow place between two
+// of them lies opposite a stretch that bends, whose own places find it.
 //
 // Complexity: O(log n + chords near the ray) for a place; places are fewer than the pieces that the
-// result asks for, or than the length of all curves by the size.
+// result asks for times two, or than the length of all curves by the size.
 #include "sizing/gap_sources.h"
 
 #include "arrange/box_tree.h"
@@ -142,7 +143,7 @@ private:
             + distance(curve.point(t), curve.point(b));
         const double least = lookAt(curve, t);
         const double size = base_.size(curve.point(t));
-        if (depth > 0 && length > std::min(2.0 * size, least)) {
+        if (depth > 0 && length > std::min(2.0 * size, least / options_.elements)) {
             lookBetween(curve, a, t, depth - 1);
             lookBetween(curve, t, b, depth - 1);
         }

@@ -277,6 +277,24 @@ GradedSize::GradedSize(const Box2& box, std::span<const SizeSource> sources,
                             source.radius, std::min(slope_, source.slope), source.most});
     }
     GradedSizeBuilder(*this, execution).run();
+    plantRoots();
+}
+
+void GradedSize::plantRoots()
+{
+    roots_.reserve(kRoots * kRoots);
+    for (std::uint32_t row = 0; row < kRoots; ++row) {
+        for (std::uint32_t column = 0; column < kRoots; ++column) {
+            Root root {0, 1};
+            for (std::uint32_t bit = kRoots / 2; bit > 0 && cells_[root.cell].kind == Kind::Split;
+                 bit /= 2) {
+                root.cell = cells_[root.cell].index + ((column & bit) != 0 ? 1U : 0U)
+                    + ((row & bit) != 0 ? 2U : 0U);
+                root.perSide *= 2;
+            }
+            roots_.push_back(root);
+        }
+    }
 }
 
 double GradedSize::clamped(double h) const
@@ -288,10 +306,17 @@ double GradedSize::size(Vec2 p) const
 {
     const Vec2 inside {std::clamp(p.x, box_.min.x, box_.max.x),
                        std::clamp(p.y, box_.min.y, box_.max.y)};
-    // From here on x and y are relative to the cell in hand, whose side is 1.
     double x = side_ > 0.0 ? (inside.x - origin_.x) / side_ : 0.0;
     double y = side_ > 0.0 ? (inside.y - origin_.y) / side_ : 0.0;
-    const Cell* cell = cells_.data();
+    const auto column = std::min(static_cast<std::uint32_t>(kRoots * x), kRoots - 1);
+    const auto row = std::min(static_cast<std::uint32_t>(kRoots * y), kRoots - 1);
+    const Root root = roots_[row * kRoots + column];
+    const Cell* cell = &cells_[root.cell];
+    // From here on x and y are relative to the cell in hand, whose side is 1.
+    x *= root.perSide;
+    y *= root.perSide;
+    x -= std::min(std::floor(x), root.perSide - 1.0);
+    y -= std::min(std::floor(y), root.perSide - 1.0);
     while (cell->kind == Kind::Split) {
         const bool right = x >= 0.5;
         const bool upper = y >= 0.5;

@@ -98,7 +98,16 @@ private:
         }
     };
 
+    /// Where a walk down begins, by the place's column and row among kRoots x kRoots.
+    struct Root
+    {
+        std::uint32_t cell;
+        std::uint32_t perSide; ///< such cells fit along a side of the square
+    };
+    static constexpr std::uint32_t kRoots = 128;
+
     double clamped(double h) const;
+    void plantRoots();
 
     Box2 box_;
     Vec2 origin_;
@@ -108,6 +117,7 @@ private:
     double minSize_;
     double maxSize_;
     std::vector<Cell> cells_;
+    std::vector<Root> roots_; ///< row by row
     std::vector<double> values_;
     std::vector<Segment> sources_;
     std::vector<std::uint32_t> nearSources_; ///< indices of sources_

@@ -238,7 +238,9 @@ class CadNames:
             found = []
             for sub in [subs] if isinstance(subs, str) else subs:
                 for index, source in enumerate(self._sources):
-                    number = source.edge_number(sub) if source.owner is owner else None
+                    if source.owner is not owner:
+                        continue
+                    number = source.edge_number(sub) if sub else -1  # all of it
                     if number is not None:
                         found.append((index, number))
             if not found:

@@ -6,6 +6,7 @@
 #include "arrange/arrange.h"
 #include "curve/arc.h"
 #include "curve/curve_network.h"
+#include "curve/curve_tools.h"
 #include "curve/polyline.h"
 #include "sizing/make_size_field.h"
 
@@ -55,7 +56,8 @@ inline CurveNetwork randomCurves(std::mt19937& random, int count)
                 addCircle(network, center, radius, from);
                 break;
             case 2:
-                addCurve(network, makeCircleArc(center, radius, from, from + 0.3 + 5 * uniform(random)),
+                addCurve(network,
+                         makeCircleArc(center, radius, from, from + 0.3 + 5 * uniform(random)),
                          false);
                 break;
             default:

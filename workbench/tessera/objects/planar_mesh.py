@@ -122,6 +122,61 @@ PROPERTIES = (
         _NORMAL,
     ),
     (
+        "Curvature",
+        "App::PropertyIntegerConstraint",
+        "Sizes",
+        QT_TRANSLATE_NOOP("App::Property", "Mesh edges for a full turn of a curve, from 3"),
+        (20, 3, 10000, 1),
+        _NORMAL,
+    ),
+    (
+        "GapElements",
+        "App::PropertyIntegerConstraint",
+        "Sizes",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Elements across narrow gaps between curves; 0: gaps do not matter"
+        ),
+        (0, 0, 1000, 1),
+        _NORMAL,
+    ),
+    (
+        "RefinedElements",
+        "App::PropertyLinkSubListGlobal",
+        "Sizes",
+        QT_TRANSLATE_NOOP("App::Property", "Edges and vertices of Source that get RefinedSize"),
+        None,
+        _NORMAL,
+    ),
+    (
+        "RefinedSize",
+        "App::PropertyLength",
+        "Sizes",
+        QT_TRANSLATE_NOOP("App::Property", "Length of the mesh edges at RefinedElements; 0: none"),
+        None,
+        _NORMAL,
+    ),
+    (
+        "RefinedDistance",
+        "App::PropertyLength",
+        "Sizes",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "RefinedSize holds up to this distance, and grows from there"
+        ),
+        None,
+        _NORMAL,
+    ),
+    (
+        "SizeExpression",
+        "App::PropertyString",
+        "Sizes",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Length of the mesh edges, in mm, as an expression in the sketch's x and y",
+        ),
+        None,
+        _NORMAL,
+    ),
+    (
         "Triangles",
         "App::PropertyInteger",
         "Result",
@@ -318,6 +373,12 @@ def request_of(obj):
         boundaries=_edges_of(obj.Boundaries),
         ignored=_edges_of(obj.Ignored),
         construction=obj.Construction,
+        curvature=obj.Curvature,
+        gap=obj.GapElements,
+        refined=_edges_of(obj.RefinedElements),
+        refined_size=obj.RefinedSize.Value,
+        refined_distance=obj.RefinedDistance.Value,
+        expression=obj.SizeExpression,
     )
 
 
@@ -345,6 +406,12 @@ def apply_request(obj, request):
         "Boundaries": _links_to(request.boundaries),
         "Ignored": _links_to(request.ignored),
         "Construction": request.construction,
+        "Curvature": request.curvature,
+        "GapElements": request.gap,
+        "RefinedElements": _links_to(request.refined),
+        "RefinedSize": request.refined_size,
+        "RefinedDistance": request.refined_distance,
+        "SizeExpression": request.expression,
     }
     current = request_of(obj)
     same = {
@@ -359,6 +426,12 @@ def apply_request(obj, request):
         "Boundaries": current.boundaries == request.boundaries,
         "Ignored": current.ignored == request.ignored,
         "Construction": current.construction == request.construction,
+        "Curvature": current.curvature == request.curvature,
+        "GapElements": current.gap == request.gap,
+        "RefinedElements": current.refined == request.refined,
+        "RefinedSize": current.refined_size == request.refined_size,
+        "RefinedDistance": current.refined_distance == request.refined_distance,
+        "SizeExpression": current.expression == request.expression,
     }
     for name, value in values.items():
         if not same[name]:

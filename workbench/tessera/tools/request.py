@@ -33,6 +33,12 @@ class MeshRequest:
     boundaries: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: of the source
     ignored: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: of the source
     construction: bool = False  #: construction geometry of a sketch joins as constraints
+    curvature: int = 20  #: mesh edges for a full turn of a curve
+    gap: int = 0  #: elements across narrow gaps; 0: gaps do not matter
+    refined: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: (object, edge and vertex names)
+    refined_size: float = 0.0  #: edge length there, mm; 0: as elsewhere
+    refined_distance: float = 0.0  #: up to this distance from there, mm
+    expression: str = ""  #: edge length as an expression in x and y, mm
 
     def prepare(self):
         """Reads the document, on the main thread; the result does not look at it again."""
@@ -60,9 +66,24 @@ class MeshRequest:
             order=self.order,
             fill=FILLS[self.fill],
             weld=None if self.weld == 0.0 else self.weld,
+            curvature=self.curvature,
+            gap=self.gap or None,
+            size_expr=self.expression.strip() or (),
+            **self._refined_sizes(),
             progress=progress,
             execution=execution,
         )
+
+    def _refined_sizes(self):
+        """size_on and size_at of the refined elements."""
+        if self.refined_size == 0.0:
+            return {}
+        names = [(owner, name) for owner, names in self.refined for name in names]
+        law = (self.refined_size, self.refined_distance)
+        return {
+            "size_on": [(link, law) for link in names if not link[1].startswith("Vertex")],
+            "size_at": [(link, *law) for link in names if link[1].startswith("Vertex")],
+        }
 
 
 def default_size(source, faces=()):
