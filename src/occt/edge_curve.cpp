@@ -17,6 +17,7 @@
 #include <gp_Vec.hxx>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tessera
 {
@@ -90,6 +91,17 @@ Handle(Geom_BSplineCurve) segmentOf(const Handle(Geom_BSplineCurve)& spline, dou
                                     double last)
 {
     const auto copy = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
+    if (copy->IsPeriodic()) {
+        // Segment() distorts a periodic spline of which all is taken, and an edge's range may differ
+        // from the period by rounding.
+        const double period = copy->LastParameter() - copy->FirstParameter();
+        const double tolerance = 1e-9 * period;
+        if (std::abs(first - copy->FirstParameter()) <= tolerance
+            && std::abs(last - copy->LastParameter()) <= tolerance) {
+            copy->SetNotPeriodic();
+            return copy;
+        }
+    }
     if (copy->IsPeriodic() || first != copy->FirstParameter() || last != copy->LastParameter()) {
         copy->Segment(first, last);
     }
