@@ -13,7 +13,7 @@ if(occt_sources)
   else()
     set(step_toolkits TKSTEP TKSTEPBase TKSTEPAttr TKSTEP209)
   endif()
-  target_link_libraries(tessera_occt PUBLIC tessera_core TKernel TKMath TKBRep TKG2d TKG3d
+  target_link_libraries(tessera_occt PUBLIC tessera_io TKernel TKMath TKBRep TKG2d TKG3d
                         TKGeomBase TKGeomAlgo TKTopAlgo TKPrim TKXSBase ${step_toolkits})
 endif()
 

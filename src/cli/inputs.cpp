@@ -85,6 +85,7 @@ public:
                                         number));
             }
         }
+        inputs_.frame = plane_.value_or(PlaneFrame {});
         return std::move(inputs_);
     }
 

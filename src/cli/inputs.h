@@ -3,6 +3,7 @@
 
 #include "curve/curve_network.h"
 #include "io/role_lists.h"
+#include "occt/plane_frame.h"
 
 #include <cstdint>
 #include <string>
@@ -16,6 +17,7 @@ struct Inputs
 {
     CurveNetwork network;
     double defaultWeld = 0.0; ///< the greatest of the inputs'
+    PlaneFrame frame;         ///< of the CAD files; else the global one
     /// By curve: its marker (.poly), line (.wkt) or edge number (CAD).
     std::vector<std::int64_t> numberOfCurve;
 };

@@ -12,6 +12,7 @@
 #include "io/overlay_pictures.h"
 #include "io/overlay_report.h"
 #include "io/read_network.h"
+#include "occt/overlay_faces.h"
 #include "vtk/mesh_file.h"
 
 #include <chrono>
@@ -60,7 +61,9 @@ void addOptions(CLI::App& command, OverlayArguments& a)
         ->required();
     command
         .add_option("-o,--output", a.output,
-                    "Result as polygons (.wkt, .poly) or triangles: " + meshExtensions())
+                    "Result as polygons (.wkt, .poly), faces on the original curves (.brep, .step) or "
+                    "triangles: "
+                        + meshExtensions())
         ->required();
     command
         .add_option("--op", a.operation,
@@ -107,9 +110,19 @@ void validate(const OverlayArguments& a)
     }
 }
 
-void writeResult(const OverlayResult& result, const OverlayArguments& a)
+bool isFaceExtension(const std::string& extension)
+{
+    return extension == ".brep" || extension == ".brp" || extension == ".step"
+        || extension == ".stp";
+}
+
+void writeResult(const OverlayResult& result, const PlaneFrame& frame, const OverlayArguments& a)
 {
     const std::string extension = extensionOf(a.output);
+    if (isFaceExtension(extension)) {
+        writeFaces(result, frame, a.output);
+        return;
+    }
     if (extension != ".wkt" && extension != ".poly") {
         writeMesh(meshOf(result), a.output, &result.input);
         return;
@@ -160,7 +173,7 @@ int runOverlay(const OverlayArguments& a)
     }
     const double overlaid = elapsed();
     execution.checkpoint();
-    writeResult(result, a);
+    writeResult(result, inputs.frame, a);
 
     StageSeconds& seconds = result.report.seconds;
     seconds.read = read;
@@ -192,8 +205,8 @@ Command addOverlayCommand(CLI::App& program)
     addOptions(*command, *arguments);
     command->callback([arguments] {
         const std::string extension = extensionOf(arguments->output);
-        if (extension != ".wkt" && !isMeshExtension(extension)) {
-            throw CLI::ValidationError("-o", fmt::format("'{}' should end in .wkt, {}",
+        if (extension != ".wkt" && !isFaceExtension(extension) && !isMeshExtension(extension)) {
+            throw CLI::ValidationError("-o", fmt::format("'{}' should end in .wkt, .brep, .step, {}",
                                                          arguments->output, meshExtensions()));
         }
     });

@@ -99,6 +99,7 @@ Handle(Geom_BSplineCurve) segmentOf(const Handle(Geom_BSplineCurve)& spline, dou
         if (std::abs(first - copy->FirstParameter()) <= tolerance
             && std::abs(last - copy->LastParameter()) <= tolerance) {
             copy->SetNotPeriodic();
+            copy->Segment(copy->FirstParameter(), copy->LastParameter()); // knots at the ends
             return copy;
         }
     }

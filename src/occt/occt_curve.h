@@ -65,6 +65,10 @@ public:
     /// From the control points of the second derivative for B-splines.
     double secondDerivativeBound(double a, double b) const override;
 
+    const EdgeCurve& edge() const { return edge_; }
+    /// Its parameter t is the edge's first + last - t.
+    bool reversed() const { return reversed_; }
+
 private:
     /// Bound of |d²/dt²| over one knot span.
     struct SpanBound

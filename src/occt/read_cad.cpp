@@ -3,13 +3,12 @@
 
 #include "occt/rehearse.h"
 #include "occt/shape_network.h"
+#include "occt/silence.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <Message.hxx>
-#include <Message_Messenger.hxx>
-#include <Message_SequenceOfPrinters.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS_Shape.hxx>
@@ -79,23 +78,6 @@ bool endsWithMainShape(std::string_view text)
         && shape > 0 && location >= 0;
     return reference && takeLastLine(text).empty();
 }
-
-/// OpenCASCADE reports to standard output; silent while this lives.
-class Silence
-{
-public:
-    Silence()
-        : printers_(Message::DefaultMessenger()->Printers())
-    {
-        Message::DefaultMessenger()->ChangePrinters().Clear();
-    }
-    ~Silence() { Message::DefaultMessenger()->ChangePrinters() = printers_; }
-    Silence(const Silence&) = delete;
-    Silence& operator=(const Silence&) = delete;
-
-private:
-    Message_SequenceOfPrinters printers_;
-};
 
 TopoDS_Shape shapeFromBrep(const std::string& text, const std::string& name)
 {
