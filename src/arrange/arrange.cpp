@@ -131,6 +131,9 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
         embedded.point = report.pointOf[embedded.point.index()];
     }
     collapseShortCurves(network, options.weld, result);
+    if (report.welded > 0) {
+        renewPolyRoles(result);
+    }
     settleChainRoles(result);
     for (std::size_t c = 0; c < result.curves.size(); ++c) {
         report.parent.emplace_back(c);

@@ -51,6 +51,9 @@ struct NetworkCurve
     /// Role::Outline only: curves of one operand with the same number that also hang together in
     /// the plane share an outline.
     std::uint32_t component = 0;
+    /// The role follows from how the segments of a .poly connect: arrange() decides it anew when it
+    /// has welded end points.
+    bool roleByConnection = false;
 };
 
 /// A point that removes the face around it (.poly holes) from its operand.

@@ -310,9 +310,16 @@ void assignPolyRoles(CurveNetwork& network, OperandId operand,
 void assignPolyRolesExcept(CurveNetwork& network, OperandId operand,
                            std::span<const std::uint8_t> settled)
 {
-    const auto wanted = [&network, operand, settled](std::uint32_t c) {
-        return network.curves[c].operand == operand && settled[c] == 0;
-    };
+    for (std::size_t c = 0; c < network.curves.size(); ++c) {
+        NetworkCurve& curve = network.curves[c];
+        curve.roleByConnection |= curve.operand == operand && settled[c] == 0;
+    }
+    renewPolyRoles(network);
+}
+
+void renewPolyRoles(CurveNetwork& network)
+{
+    const auto wanted = [&network](std::uint32_t c) { return network.curves[c].roleByConnection; };
     forEachOperand(network, wanted, [&network](std::span<const std::uint32_t> curves) {
         const auto [edges, vertexCount] = graphOf(network, curves);
         const EdgeClasses classes = classifyEdges(edges, vertexCount, {.duplicatesOnce = true});

@@ -59,6 +59,10 @@ void assignPolyRoles(CurveNetwork& network, OperandId operand,
 void assignPolyRolesExcept(CurveNetwork& network, OperandId operand,
                            std::span<const std::uint8_t> settled);
 
+/// Decides the roles anew that these two have given (NetworkCurve::roleByConnection), after points
+/// have been joined.
+void renewPolyRoles(CurveNetwork& network);
+
 /// Settles every Role::Chain: a curve on a closed chain becomes Boundary (Outline where chains
 /// branch so that degrees are odd), one on no closed chain a Constraint. By point index, so weld
 /// end points first.

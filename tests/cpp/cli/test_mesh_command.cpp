@@ -142,6 +142,18 @@ TEST_F(MeshCommand, RolesByMarkerAndLine)
     refuse({"mesh", "a.poly", "-o", "x.vtu", "--constraint", "2,7"}, "number 7");
 }
 
+TEST_F(MeshCommand, AGapIsNamedAndClosedByTheWeldTolerance)
+{
+    program.give("gap.poly", "5 2 0 0\n1 0 0\n2 10 0\n3 10 10\n4 0 10\n5 0 0.1\n"
+                             "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n");
+    refuse({"mesh", "gap.poly", "-o", "x.vtu"}, "(0, 0) and (0, 0.1), 0.1 apart");
+    const auto report = mesh({"gap.poly", "--weld", "0.2"});
+    EXPECT_NEAR(report["area"].get<double>(), 100.0, 1e-9);
+    EXPECT_EQ(report["welded"], 1);
+    EXPECT_EQ(report["weld"], 0.2);
+    EXPECT_NE(report["messages"][0].get<std::string>().find("joined"), std::string::npos);
+}
+
 TEST_F(MeshCommand, OperandsOfSeveralInputs)
 {
     program.give("a.wkt", kTwo);
