@@ -65,7 +65,10 @@ private:
     std::size_t slotOf(std::uint64_t key) const
     {
         const std::size_t mask = slots_.size() - 1;
-        std::size_t i = (key * 0x9e3779b97f4a7c15ULL >> 20U) & mask;
+        // Grid positions differ in few bits: all of them must reach the low ones.
+        std::uint64_t mixed = (key ^ (key >> 33U)) * 0xff51afd7ed558ccdULL;
+        mixed = (mixed ^ (mixed >> 33U)) * 0xc4ceb9fe1a85ec53ULL;
+        std::size_t i = (mixed ^ (mixed >> 33U)) & mask;
         while (slots_[i].number != kNone && slots_[i].key != key) {
             i = (i + 1) & mask;
         }
