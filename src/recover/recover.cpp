@@ -165,8 +165,14 @@ void recoverPieces(RecoveryResult& result, const Chains& chains, RecoveryStrateg
         }
     }
     else {
+        // Vertices a pixel apart may leave no double for a Steiner point between them, which the
+        // other strategy does without.
         Chains ofPieces;
-        done = recoverExactly(result, piecesOf(chains), ofPieces, strategy, execution, observer);
+        Triangulation before = result.triangulation;
+        if (!recoverExactly(result, piecesOf(chains), ofPieces, strategy, execution, observer)) {
+            result.triangulation = std::move(before);
+            recoverPieces(result, chains, RecoveryStrategy::Cavity, execution, observer);
+        }
     }
     if (!done) {
         throw std::logic_error("Snap rounding: pieces cross.");
