@@ -3,6 +3,7 @@
 #include "cli/file_names.h"
 #include "io/atomic_file.h"
 #include "io/check_mesh.h"
+#include "io/counted.h"
 #include "io/report_json.h"
 #include "vtk/mesh_file.h"
 
@@ -42,15 +43,15 @@ int runCheck(const CheckArguments& a)
         for (const std::string& problem : check.problems) {
             fmt::print("{}\n", problem);
         }
-        fmt::print("{}: {}, {} triangles, {} quadrangles, {} nodes, area {:.6g}, smallest angle "
-                   "{:.1f} degrees, mean quality {:.3f}\n",
-                   a.mesh, check.valid() ? "valid" : "not valid", check.triangles, check.quads,
-                   check.nodes, check.area, check.quality.minAngle, check.quality.meanQuality);
+        fmt::print("{}: {}, {}, {}, {}, area {:.6g}, smallest angle {:.1f} degrees, mean quality "
+                   "{:.3f}\n",
+                   a.mesh, check.valid() ? "valid" : "not valid",
+                   counted(check.triangles, "triangle"), counted(check.quads, "quadrangle"),
+                   counted(check.nodes, "node"), check.area, check.quality.minAngle, check.quality.meanQuality);
     }
     if (!check.valid()) {
-        fmt::print(stderr, "tessera: {}: the mesh has {} problem{}; the first: {}\n", a.mesh,
-                   check.problems.size(), check.problems.size() == 1 ? "" : "s",
-                   check.problems.front());
+        fmt::print(stderr, "tessera: {}: the mesh has {}; the first: {}\n", a.mesh,
+                   counted(check.problems.size(), "problem"), check.problems.front());
         return kRefused;
     }
     return kDone;

@@ -7,6 +7,7 @@
 #include "cli/run_control.h"
 #include "cli/size_options.h"
 #include "io/atomic_file.h"
+#include "io/counted.h"
 #include "io/read_network.h"
 #include "io/report_json.h"
 #include "io/stage_pictures.h"
@@ -138,12 +139,13 @@ void printSummary(const MeshArguments& a, const MeshResult& result)
         fmt::print("{}\n", message);
     }
     if (!report.unreached.empty()) {
-        fmt::print("{} targets were not reached; the report lists them.\n",
-                   report.unreached.size());
+        fmt::print("Not reached: {}; the report lists them.\n",
+                   counted(report.unreached.size(), "target"));
     }
-    fmt::print("{}: {} triangles, {} nodes, {} regions, area {:.6g}, smallest angle {:.1f} "
-               "degrees, mean quality {:.3f}, {:.2f} s\n",
-               a.output, result.mesh.triangles.size(), result.mesh.nodes.size(), report.regions,
+    fmt::print("{}: {}, {}, {}, area {:.6g}, smallest angle {:.1f} degrees, mean quality {:.3f}, "
+               "{:.2f} s\n",
+               a.output, counted(result.mesh.triangles.size(), "triangle"),
+               counted(result.mesh.nodes.size(), "node"), counted(report.regions, "region"),
                report.area, report.quality.minAngle, report.quality.meanQuality,
                report.seconds.total);
 }

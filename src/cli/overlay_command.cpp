@@ -8,6 +8,7 @@
 #include "imprint/overlay.h"
 #include "imprint/overlay_mesh.h"
 #include "io/atomic_file.h"
+#include "io/counted.h"
 #include "io/overlay_files.h"
 #include "io/overlay_pictures.h"
 #include "io/overlay_report.h"
@@ -187,10 +188,9 @@ int runOverlay(const OverlayArguments& a)
         for (const std::string& message : result.report.messages) {
             fmt::print("{}\n", message);
         }
-        const std::size_t polygons = result.polygons.size();
-        fmt::print("{}: {} polygon{}, area {:.6g}, {} crossings, {:.2f} s\n", a.output, polygons,
-                   polygons == 1 ? "" : "s", result.report.area,
-                   result.report.recovery.crossings, seconds.total);
+        fmt::print("{}: {}, area {:.6g}, {}, {:.2f} s\n", a.output,
+                   counted(result.polygons.size(), "polygon"), result.report.area,
+                   counted(result.report.recovery.crossings, "crossing"), seconds.total);
     }
     return kDone;
 }

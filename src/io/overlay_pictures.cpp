@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/overlay_pictures.h"
 
+#include "io/counted.h"
 #include "io/drawing.h"
 
 #include <fmt/format.h>
@@ -75,7 +76,7 @@ void OverlayPictures::drawLoops(const OverlayResult& result)
     const std::size_t operands = result.input.operands.size();
     const std::string caption = operands == 2
         ? "The loops of the operands t (blue) and s (orange)"
-        : fmt::format("The loops of {} operand{}", operands, operands == 1 ? "" : "s");
+        : "The loops of " + counted(operands, "operand");
     save("0-loops", domain(), caption, [&result, operands](Canvas& canvas) {
         for (const PslgSegment& segment : result.pslg.segments) {
             const OperandId operand = result.network().curves[segment.curve.index()].operand;
@@ -128,7 +129,7 @@ void OverlayPictures::drawParts(const OverlayResult& result)
     });
     static_assert(BooleanParts::kNoPart == DrawnTriangles::kNone);
     const std::size_t count = result.parts.parts.size();
-    save("5-colors", domain(), fmt::format("The result: {} part{}", count, count == 1 ? "" : "s"),
+    save("5-colors", domain(), "The result: " + counted(count, "part"),
          [&](Canvas& canvas) {
              fillAndStroke(canvas, result, drawn, chooseColors(sidesOf(drawn), count));
          });
