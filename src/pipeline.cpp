@@ -14,7 +14,6 @@
 #include "sizing/make_size_field.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -37,36 +36,6 @@ void require(bool ok, const char* message)
         throw Error(ErrorKind::InvalidOption, message);
     }
 }
-
-/// Adds the time since the last call to a stage. Stands still while the observer is at work.
-class Stopwatch
-{
-public:
-    explicit Stopwatch(const StageObserver* observer)
-        : observer_(observer)
-        , beforeObserver_(observed())
-    {}
-
-    void lap(double& stage)
-    {
-        const double now = total();
-        stage += now - last_;
-        last_ = now;
-    }
-    double total() const
-    {
-        const auto elapsed = std::chrono::steady_clock::now() - begin_;
-        return std::chrono::duration<double>(elapsed).count() - (observed() - beforeObserver_);
-    }
-
-private:
-    double observed() const { return observer_ == nullptr ? 0.0 : observer_->seconds(); }
-
-    const StageObserver* observer_;
-    double beforeObserver_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-    double last_ = 0.0;
-};
 
 Box2 boundsOf(const std::vector<Vec2>& points)
 {
@@ -513,7 +482,7 @@ private:
     const MeshOptions& options_;
     Execution& execution_;
     StageObserver* stages_;
-    Stopwatch watch_;
+    StageStopwatch watch_;
 
     ArrangeReport arranged_;
     CurveNetwork network_; ///< arranged

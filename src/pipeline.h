@@ -87,6 +87,36 @@ struct StageObserver: RecoveryObserver
     virtual double seconds() const { return 0.0; }
 };
 
+/// Adds the time since the last call to a stage. Stands still while the observer is at work.
+class StageStopwatch
+{
+public:
+    explicit StageStopwatch(const StageObserver* observer)
+        : observer_(observer)
+        , beforeObserver_(observed())
+    {}
+
+    void lap(double& stage)
+    {
+        const double now = total();
+        stage += now - last_;
+        last_ = now;
+    }
+    double total() const
+    {
+        const auto elapsed = Execution::Clock::now() - begin_;
+        return std::chrono::duration<double>(elapsed).count() - (observed() - beforeObserver_);
+    }
+
+private:
+    double observed() const { return observer_ == nullptr ? 0.0 : observer_->seconds(); }
+
+    const StageObserver* observer_;
+    double beforeObserver_;
+    Execution::Clock::time_point begin_ = Execution::Clock::now();
+    double last_ = 0.0;
+};
+
 /// The stages in order: arrange, sample, triangulate, recover, color, refine, optimize, extract
 /// (paper, Algorithm 1). Each is also callable alone. Throws Error; on failure nothing is left.
 MeshResult meshNetwork(const CurveNetwork& network, const MeshOptions& options,

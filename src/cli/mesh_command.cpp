@@ -150,19 +150,6 @@ void printSummary(const MeshArguments& a, const MeshResult& result)
                report.seconds.total);
 }
 
-/// Time since the start of the command, for the stages outside the pipeline.
-class CommandClock
-{
-public:
-    double seconds() const
-    {
-        return std::chrono::duration<double>(Execution::Clock::now() - begin_).count();
-    }
-
-private:
-    Execution::Clock::time_point begin_ = Execution::Clock::now();
-};
-
 void requireDistinctFiles(const MeshArguments& a)
 {
     const std::vector<NamedFile> outputs {{"-o", a.output}, {"--report", a.report}};

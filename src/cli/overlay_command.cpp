@@ -16,7 +16,6 @@
 #include "occt/overlay_faces.h"
 #include "vtk/mesh_file.h"
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -135,11 +134,7 @@ void writeResult(const OverlayResult& result, const PlaneFrame& frame, const Ove
 
 int runOverlay(const OverlayArguments& a)
 {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point begin = Clock::now();
-    const auto elapsed = [begin] {
-        return std::chrono::duration<double>(Clock::now() - begin).count();
-    };
+    const CommandClock clock;
     validate(a);
     Execution execution;
     if (a.timeLimit) {
@@ -166,20 +161,20 @@ int runOverlay(const OverlayArguments& a)
     options.fill = a.fill;
     options.recovery = a.recovery;
     options.weld = a.weld.value_or(inputs.defaultWeld);
-    const double read = elapsed();
+    const double read = clock.seconds();
     OverlayResult result = overlayNetwork(std::move(inputs.network), options, execution,
                                           stages.get());
     if (stages) {
         stages->colored(result);
     }
-    const double overlaid = elapsed();
+    const double overlaid = clock.seconds();
     execution.checkpoint();
     writeResult(result, inputs.frame, a);
 
     StageSeconds& seconds = result.report.seconds;
     seconds.read = read;
-    seconds.total = elapsed();
-    seconds.write = seconds.total - overlaid;
+    seconds.write = clock.seconds() - overlaid;
+    seconds.total += seconds.read + seconds.write;
     if (reportFile) {
         reportFile->write(formatReport(result, a.operation));
         reportFile->commit();

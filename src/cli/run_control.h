@@ -6,6 +6,19 @@
 namespace tessera::cli
 {
 
+/// Time since the start of the command, for the stages outside the pipeline.
+class CommandClock
+{
+public:
+    double seconds() const
+    {
+        return std::chrono::duration<double>(Execution::Clock::now() - begin_).count();
+    }
+
+private:
+    Execution::Clock::time_point begin_ = Execution::Clock::now();
+};
+
 /// While it lives, Ctrl-C and SIGTERM cancel the run, and a run of more than a second shows its
 /// progress on stderr if that is a terminal. One at a time.
 class RunControl

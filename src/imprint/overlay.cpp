@@ -11,7 +11,6 @@
 #include "sizing/uniform_size.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace tessera
@@ -37,6 +36,7 @@ public:
         : options_(options)
         , execution_(execution)
         , stages_(stages)
+        , stopwatch_(stages)
     {
         result_.input = std::move(network);
     }
@@ -48,24 +48,11 @@ public:
         recoverStage();
         colorStage();
         outlineStage();
-        result_.report.seconds.total = since(begin_);
+        result_.report.seconds.total = stopwatch_.total();
         return std::move(result_);
     }
 
 private:
-    using Clock = std::chrono::steady_clock;
-
-    static double since(Clock::time_point time)
-    {
-        return std::chrono::duration<double>(Clock::now() - time).count();
-    }
-
-    void lap(double& stage)
-    {
-        stage += since(last_);
-        last_ = Clock::now();
-    }
-
     void arrangeStage()
     {
         execution_.beginStage("arrange", 0.0, 0.1);
@@ -82,7 +69,7 @@ private:
             requireValid(network);
             takeSegments();
             firstCrossing_ = network.points.size();
-            lap(report.seconds.arrange);
+            stopwatch_.lap(report.seconds.arrange);
             return;
         }
         ArrangeOptions arrangeOptions;
@@ -95,7 +82,7 @@ private:
         report.recovery = arranged.crossed;
         report.welded = arranged.welded;
         report.messages = std::move(arranged.messages);
-        lap(report.seconds.arrange);
+        stopwatch_.lap(report.seconds.arrange);
         sampleStage();
     }
 
@@ -126,7 +113,7 @@ private:
         sampleOptions.chordError =
             options_.chordError > 0.0 ? options_.chordError : kDefaultChordError * diagonal;
         result_.pslg = sample(*result_.arranged, UniformSize(diagonal), sampleOptions, execution_);
-        lap(result_.report.seconds.sample);
+        stopwatch_.lap(result_.report.seconds.sample);
     }
 
     void triangulateStage()
@@ -138,7 +125,7 @@ private:
         }
         result_.rectangle = makeInitialRectangle(box);
         delaunay_ = triangulate(result_.pslg.points, execution_);
-        lap(result_.report.seconds.triangulate);
+        stopwatch_.lap(result_.report.seconds.triangulate);
         if (stages_ != nullptr) {
             stages_->initialRectangle(result_.rectangle);
             stages_->pointsInserted(delaunay_.triangulation, result_.rectangle);
@@ -158,7 +145,7 @@ private:
                                               options_.recovery, execution_, stages_);
         addRecovery(result_.recovered.report);
         noteOrigins();
-        lap(result_.report.seconds.recover);
+        stopwatch_.lap(result_.report.seconds.recover);
     }
 
     void noteOrigins()
@@ -201,7 +188,7 @@ private:
         if (result_.input.operands.size() == 2) {
             report.theta = thetaAreas();
         }
-        lap(report.seconds.color);
+        stopwatch_.lap(report.seconds.color);
     }
 
     ThetaAreas thetaAreas() const
@@ -227,14 +214,13 @@ private:
         execution_.beginStage("extract", 0.9, 1.0);
         result_.polygons = partOutlines(result_.recovered.triangulation,
                                         result_.parts.partOfTriangle, result_.parts.parts.size());
-        lap(result_.report.seconds.extract);
+        stopwatch_.lap(result_.report.seconds.extract);
     }
 
     OverlayOptions options_;
     Execution& execution_;
     StageObserver* stages_;
-    Clock::time_point begin_ = Clock::now();
-    Clock::time_point last_ = begin_;
+    StageStopwatch stopwatch_;
     std::size_t firstCrossing_ = 0; ///< among the points of the arranged network
     DelaunayResult delaunay_;
     OverlayResult result_;
