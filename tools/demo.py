@@ -6,7 +6,6 @@ import glob
 import json
 import os
 import re
-import shutil
 import sys
 import time
 import traceback
@@ -263,7 +262,6 @@ def mesh_file(path, out, taken, only, together):
 def main():
     out = os.environ["TESSERA_DEMO_OUT"]
     os.makedirs(out, exist_ok=True)
-    shutil.rmtree(os.path.join(out, "stages"), ignore_errors=True)
     files = [(path, None, ()) for path in os.environ["TESSERA_DEMO_FILES"].split("\n") if path]
     say(HEADER)
     taken = set()

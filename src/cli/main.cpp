@@ -77,6 +77,21 @@ int endOfParsing(const CLI::App& program, const CLI::ParseError& error, const ch
     return kUsage;
 }
 
+/// CLI11 takes an empty value (of an unset variable in a script, say) for no value at all.
+void refuseEmptyValues(CLI::App& program)
+{
+    const CLI::Validator isGiven(
+        [](std::string& value) { return std::string(value.empty() ? "the value is empty" : ""); },
+        "");
+    for (CLI::App* command : program.get_subcommands({})) {
+        for (CLI::Option* option : command->get_options()) {
+            if (option->get_items_expected_max() > 0) {
+                option->check(isGiven);
+            }
+        }
+    }
+}
+
 int runProgram(int argc, char** argv)
 {
     CLI::App program("Tessera meshes plane shapes, however their curves cross, overlap or touch.",
@@ -87,6 +102,7 @@ int runProgram(int argc, char** argv)
         {"mesh", addMeshCommand(program)},
         {"overlay", addOverlayCommand(program)},
         {"check", addCheckCommand(program)}};
+    refuseEmptyValues(program);
     try {
         program.parse(argc, argv);
     }

@@ -240,7 +240,11 @@ TEST_F(MeshCommand, BadOptions)
     refuse(with({"--size", "abc"}), "--size: 'abc' is not a number", 2);
     refuse(with({"--size"}), "--size needs a value", 2);
     refuse(with({"--size", "1", "--size", "2"}), "--size is given more than once", 2);
-    for (const char* list : {"", ",", "1,", "1,,2", "a", "1.5", "99999999999"}) {
+    for (const char* option : {"--size", "--weld", "--report", "--stages", "--time-limit",
+                               "--boundary", "--size-at", "--size-expr"}) {
+        refuse(with({option, ""}), std::string(option) + ": the value is empty", 2);
+    }
+    for (const char* list : {",", "1,", "1,,2", "a", "1.5", "99999999999"}) {
         refuse(with({"--boundary", list}), "is not a whole number", 2);
     }
     refuse(with({"--boundary", "11,99"}), "number 99");

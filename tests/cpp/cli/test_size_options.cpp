@@ -164,7 +164,6 @@ TEST_F(SizeOptions, RefusedInOneLine)
     refuse({"--size-in", "3.5,3,1"}, "is not inside");
     refuse({"--size-in", "1:0"}, "sizes must be above 0");
     refuse({"--size-expr", "1+"}, "cannot be read");
-    refuse({"--size-expr", ""}, "is empty");
     refuse({"--size-expr", "x - 5"}, "is -5 at (0, 0); it must be a number above 0");
     refuse({"--size-expr", "1/(x-x)"}, "is inf at");
     refuse({"--size-from", "a.vtu"}, "not of that form");

@@ -40,6 +40,31 @@ def test_nothing_happens_before_mesh_is_pressed(document):
     assert state(document) == before
 
 
+@pytest.mark.parametrize("text", ["nan", "abc", "-2", "5 kg", "inf"])
+def test_what_is_no_length_is_told_not_replaced(document, text):
+    panel = window.open_panel(sketches.plate(document))
+    panel.set_size("20 mm")
+    before = state(document)
+    panel.press_keys("sizeField", text)
+    panel.widget("weldField").setFocus()  # FreeCAD's field now shows its last value again
+    panel.mesh()
+    assert "cannot be used" in panel.message
+    assert state(document) == before
+    panel.set_size("20 mm")
+    panel.mesh()
+    assert "triangles" in panel.message
+    panel.press("Cancel")
+
+
+def test_an_empty_size_is_told(document):
+    panel = window.open_panel(sketches.plate(document))
+    panel.set_size("")
+    panel.mesh()
+    assert "cannot be used" in panel.message
+    assert not window.planar_meshes(document)
+    panel.press("Cancel")
+
+
 def test_cancel_takes_the_mesh_back(document):
     sketch = sketches.plate(document)
     before = state(document)

@@ -111,6 +111,16 @@ class Panel:
         self.widget(name).findChild(QtGui.QLineEdit).setText(text)
         wait(0.1)
 
+    def press_keys(self, name, text):
+        """Replaces what a field shows, key by key."""
+        edit = self.widget(name).findChild(QtGui.QLineEdit)
+        edit.selectAll()
+        for character in text:
+            for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+                event = QtGui.QKeyEvent(kind, 0, QtCore.Qt.NoModifier, character)
+                QtCore.QCoreApplication.sendEvent(edit, event)
+        wait(0.1)
+
     def choose(self, name, text):
         combo = self.widget(name)
         index = combo.findText(text)

@@ -45,12 +45,20 @@ class Target:
 
 
 class _Number:
-    """A field that shows a number rounded: what the user leaves alone keeps all its digits."""
+    """A field that shows a number rounded: what the user leaves alone keeps all its digits. What
+    was typed but is no number for it, FreeCAD's fields silently replace: get() raises ValueError
+    with that text, once."""
 
     def __init__(self, field, is_length=True):
         self._field = field
         self._is_length = is_length
         self._value = self._shown = 0.0
+        self._refused = None
+        self._edit = field.findChild(QtGui.QLineEdit)
+        self._edit.textEdited.connect(self._note_typed)
+
+    def _note_typed(self, text):
+        self._refused = None if self._field.hasAcceptableInput() else text
 
     def set(self, value):
         if self._is_length:
@@ -62,6 +70,11 @@ class _Number:
 
     def get(self):
         """Lengths in millimeters."""
+        if not self._field.hasAcceptableInput():
+            self._refused = self._edit.text()
+        if self._refused is not None:
+            text, self._refused = self._refused, None
+            raise ValueError(text)
         shown = self._read()
         return self._value if shown == self._shown else shown
 
@@ -195,6 +208,10 @@ class PlanarMeshPanel:
         except ReferenceError:
             text = translate("Tessera", "What was to be meshed has been deleted; close the panel.")
             self._show_message(text, _CRITICAL)
+            return
+        except ValueError as error:
+            text = translate("Tessera", "'{}' cannot be used here; give a number, such as 2 mm.")
+            self._show_message(text.format(error), _CRITICAL)
             return
         self._requests = requests
         self._job = MeshJob(requests)
