@@ -59,6 +59,7 @@ def test_the_format_of_files(document):
         "Regions": "App::PropertyInteger",
         "Crossings": "App::PropertyInteger",
         "Messages": "App::PropertyStringList",
+        "ContainerPlacement": "App::PropertyPlacement",
         "MeshRevision": "App::PropertyInteger",
     } == {name: obj.getTypeIdOfProperty(name) for name, *_ in planar_mesh.PROPERTIES}
     assert obj.getEnumerationsOfProperty("Fill") == [
@@ -245,6 +246,24 @@ def test_mesh_lies_where_the_sketch_does(document):
     corner = sketch.getGlobalPlacement().multVec(Vector(20, 10, 0))
     distances = [node.distanceToPoint(corner) for node in obj.FemMesh.Nodes.values()]
     assert min(distances) == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["App::Part", "PartDesign::Body"])
+def test_follows_the_container_when_it_moves(document, kind):
+    container = document.addObject(kind, "Container")
+    sketch = sketches.plate(document)
+    container.addObject(sketch)
+    mesh = mesh_of(sketch, size=10.0)
+    start = mesh.FemMesh.BoundBox
+    count = mesh.Triangles
+    container.Placement = FreeCAD.Placement(Vector(100, 0, 30), FreeCAD.Rotation())
+    recompute(mesh)
+    moved = mesh.FemMesh.BoundBox
+    assert (moved.XMin, moved.ZMin) == pytest.approx((start.XMin + 100, start.ZMin + 30))
+    assert mesh.Triangles == count
+    revision = mesh.MeshRevision
+    recompute(mesh)
+    assert mesh.MeshRevision == revision  # nothing moved: nothing is meshed
 
 
 def test_size_is_chosen_from_the_source(document):

@@ -115,9 +115,10 @@ class Panel:
         """Replaces what a field shows, key by key."""
         edit = self.widget(name).findChild(QtGui.QLineEdit)
         edit.selectAll()
-        for character in text:
+        keys = [(QtCore.Qt.Key_Delete, "")] + [(0, character) for character in text]
+        for key, character in keys:
             for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-                event = QtGui.QKeyEvent(kind, 0, QtCore.Qt.NoModifier, character)
+                event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, character)
                 QtCore.QCoreApplication.sendEvent(edit, event)
         wait(0.1)
 

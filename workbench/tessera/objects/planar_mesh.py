@@ -4,6 +4,8 @@
 The class path and the property names are stored in users' files: they never change.
 """
 
+import math
+
 import FreeCAD
 
 import tessera
@@ -235,6 +237,16 @@ PROPERTIES = (
         _READ_ONLY,
     ),
     (
+        "ContainerPlacement",
+        "App::PropertyPlacement",
+        "Result",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Where the body or part of Source was when it was meshed"
+        ),
+        None,
+        _HIDDEN,
+    ),
+    (
         "MeshRevision",
         "App::PropertyInteger",
         "Result",
@@ -275,6 +287,15 @@ class PlanarMesh:
         """A finished mesh that the next recompute takes if the properties still ask for it."""
         self._offered = (request, mesh)
 
+    def mustExecute(self, obj):
+        """Asked by FreeCAD at every recompute: moving the part that contains the source does not
+        touch the source."""
+        return (
+            obj.Source is not None
+            and obj.MeshRevision > 0
+            and not _same_place(container_placement(obj.Source), obj.ContainerPlacement)
+        )
+
     @property
     def execute(self):
         """Called by FreeCAD, with the object, to recompute. An exception marks the object; its mesh
@@ -300,7 +321,7 @@ class PlanarMesh:
 
     def _publish(self, obj, request, mesh):
         fem = mesh.to_fem()
-        container = container_placement(request.source)
+        obj.ContainerPlacement = container = container_placement(request.source)
         if not container.isIdentity():
             fem.transformGeometry(container.toMatrix())
         if obj.MeshRevision not in self.history:
@@ -447,6 +468,14 @@ def container_placement(source):
     if not hasattr(source, "getGlobalPlacement"):
         return FreeCAD.Placement()
     return source.getGlobalPlacement().multiply(source.Placement.inverse())
+
+
+def _same_place(a, b):
+    """Equal but for what a file's decimals change."""
+    return all(
+        math.isclose(x, y, rel_tol=1e-12, abs_tol=1e-9)
+        for x, y in zip(a.toMatrix().A, b.toMatrix().A)
+    )
 
 
 def make(request, analysis=None):

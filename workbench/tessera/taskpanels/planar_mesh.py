@@ -5,6 +5,7 @@ Nothing enters the document before there is a mesh. All that the panel does to t
 step of undo: OK ends it, Cancel takes it back.
 """
 
+import math
 from dataclasses import replace
 
 import FreeCAD
@@ -45,9 +46,11 @@ class Target:
 
 
 class _Number:
-    """A field that shows a number rounded: what the user leaves alone keeps all its digits. What
-    was typed but is no number for it, FreeCAD's fields silently replace: get() raises ValueError
-    with that text, once."""
+    """A field that shows a number rounded: what the user leaves alone keeps all its digits.
+
+    FreeCAD's fields for lengths silently replace what was typed but is no length, some at once,
+    some when they lose the focus: get() raises ValueError with that text, and again as long as the
+    field shows it."""
 
     def __init__(self, field, is_length=True):
         self._field = field
@@ -55,10 +58,11 @@ class _Number:
         self._value = self._shown = 0.0
         self._refused = None
         self._edit = field.findChild(QtGui.QLineEdit)
-        self._edit.textEdited.connect(self._note_typed)
+        if is_length:
+            self._edit.textEdited.connect(self._note_typed)
 
     def _note_typed(self, text):
-        self._refused = None if self._field.hasAcceptableInput() else text
+        self._refused = None if _is_length(text, self._field.locale()) else text
 
     def set(self, value):
         if self._is_length:
@@ -66,20 +70,34 @@ class _Number:
             self._field.setProperty("value", quantity)
         else:
             self._field.setValue(value)
-        self._value, self._shown = value, self._read()
+        self._value, self._shown, self._refused = value, self._read(), None
 
     def get(self):
         """Lengths in millimeters."""
-        if not self._field.hasAcceptableInput():
-            self._refused = self._edit.text()
         if self._refused is not None:
-            text, self._refused = self._refused, None
+            text = self._refused
+            if self._edit.text() != text:
+                self._refused = None
             raise ValueError(text)
         shown = self._read()
         return self._value if shown == self._shown else shown
 
     def _read(self):
         return float(self._field.property("rawValue" if self._is_length else "value"))
+
+
+def _is_length(text, locale):
+    """The text is a length of 0 or more, or a number; its unit and separators are the user's."""
+    plain = text.replace(locale.groupSeparator(), "").replace(locale.decimalPoint(), ".")
+    for candidate in (text, plain):
+        try:
+            quantity = FreeCAD.Units.Quantity(candidate)
+        except (ValueError, OSError, ArithmeticError, FreeCAD.Base.FreeCADError):
+            continue
+        is_length = quantity.Unit in (FreeCAD.Units.Length, FreeCAD.Units.Unit())
+        if is_length and math.isfinite(quantity.Value) and quantity.Value >= 0.0:
+            return bool(candidate.strip())
+    return False
 
 
 class PlanarMeshPanel:
