@@ -5,6 +5,7 @@
 #include "cli/file_names.h"
 #include "cli/inputs.h"
 #include "cli/run_control.h"
+#include "cli/run_options.h"
 #include "cli/size_options.h"
 #include "io/atomic_file.h"
 #include "io/counted.h"
@@ -18,7 +19,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,36 +30,23 @@ namespace tessera::cli
 namespace
 {
 
-/// The command line as it was read. An option that was not given is empty.
-struct MeshArguments
+struct MeshArguments: RunOptions
 {
-    std::vector<std::string> inputs;
-    std::string output;
     std::optional<double> size;
     std::optional<double> minSize;
     std::optional<double> growth;
     std::optional<double> minAngle;
     std::optional<double> maxArea;
-    std::optional<double> weld;
-    std::optional<double> timeLimit;
     int order = 1;
-    FillRule fill = FillRule::EvenOdd;
-    RecoveryStrategy recovery = RecoveryStrategy::Cavity;
     RoleLists roles;
     SizeArguments sizes;
     bool noRefine = false;
     bool noOptimize = false;
-    std::string stages;
-    std::string report;
-    bool quiet = false;
 };
 
 void addOptions(CLI::App& command, MeshArguments& a)
 {
-    command.add_option("INPUT", a.inputs,
-                       ".poly, .wkt, .brep or .step files; their operands in order")
-        ->required();
-    command.add_option("-o,--output", a.output, "Mesh file: " + meshExtensions())->required();
+    addFileOptions(command, a, "Mesh file: " + meshExtensions());
     command.add_option("--size", a.size, "Target edge length; default: a fortieth of the diagonal");
     command.add_option("--min-size", a.minSize, "Smallest edge length to aim for");
     command.add_option("--growth", a.growth,
@@ -71,12 +58,9 @@ void addOptions(CLI::App& command, MeshArguments& a)
     command.add_option("--order", a.order, "1: corner nodes only; 2: also mid nodes on the curves")
         ->transform(namesOnly(kOrders))
         ->type_name("1|2");
-    command
-        .add_option("--fill", a.fill,
-                    "What is inside: even-odd (default), nonzero, positive, negative, all (every "
-                    "bounded face) or hull (the convex hull)")
-        ->transform(namesOnly(kFillRules))
-        ->type_name("RULE");
+    addFillOption(command, a,
+                  "What is inside: even-odd (default), nonzero, positive, negative, all (every "
+                  "bounded face) or hull (the convex hull)");
     addNumberList(command, "--boundary", a.roles.boundary,
                   "Markers (.poly), lines (.wkt) or edges (CAD) that separate");
     addNumberList(command, "--constraint", a.roles.constraint,
@@ -86,28 +70,7 @@ void addOptions(CLI::App& command, MeshArguments& a)
     command.add_flag("--no-refine", a.noRefine,
                      "No interior points; straight segments are not divided");
     command.add_flag("--no-optimize", a.noOptimize, "Leave the triangles as they were inserted");
-    command.add_option("--weld", a.weld,
-                       "End points nearer than this are one; default: 0, for CAD its tolerance");
-    command
-        .add_option("--recovery", a.recovery,
-                    "How boundaries are recovered: cavity (default) or steiner")
-        ->transform(namesOnly(kStrategies))
-        ->type_name("STRATEGY");
-    command.add_option("--time-limit", a.timeLimit, "Seconds after which to give up");
-    command.add_option("--stages", a.stages, "Folder for a picture of each stage")
-        ->type_name("DIR");
-    command.add_option("--report", a.report, "File for the report, JSON");
-    command.add_flag("--quiet", a.quiet, "Print nothing but errors");
-}
-
-/// An option that was given must be positive; in MeshOptions 0 means that it was not.
-double positive(const std::optional<double>& value, const char* option)
-{
-    if (value && !(*value > 0.0 && std::isfinite(*value))) {
-        throw Error(ErrorKind::InvalidOption,
-                    fmt::format("{} is {}; it must be greater than 0.", option, *value));
-    }
-    return value.value_or(0.0);
+    addRunOptions(command, a);
 }
 
 MeshOptions meshOptions(const MeshArguments& a)
@@ -118,10 +81,7 @@ MeshOptions meshOptions(const MeshArguments& a)
     options.maxArea = positive(a.maxArea, "--max-area");
     options.growth = a.growth.value_or(options.growth);
     options.minAngle = a.minAngle.value_or(options.minAngle);
-    if (a.weld && !(*a.weld >= 0.0 && std::isfinite(*a.weld))) {
-        throw Error(ErrorKind::InvalidOption,
-                    fmt::format("--weld is {}; it must be a length of 0 or more.", *a.weld));
-    }
+    requireValidWeld(a);
     options.weld = a.weld.value_or(-1.0);
     options.order = a.order;
     options.fill = a.fill;
@@ -162,9 +122,7 @@ int runMesh(const MeshArguments& a)
     const CommandClock clock;
     MeshOptions options = meshOptions(a);
     Execution execution;
-    if (a.timeLimit) {
-        execution.setTimeLimit(positive(a.timeLimit, "--time-limit"));
-    }
+    setTimeLimit(execution, a);
     const RunControl control(execution, a.quiet);
 
     requireDistinctFiles(a);

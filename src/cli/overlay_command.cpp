@@ -5,6 +5,7 @@
 #include "cli/file_names.h"
 #include "cli/inputs.h"
 #include "cli/run_control.h"
+#include "cli/run_options.h"
 #include "imprint/overlay.h"
 #include "imprint/overlay_mesh.h"
 #include "io/atomic_file.h"
@@ -16,7 +17,6 @@
 #include "occt/overlay_faces.h"
 #include "vtk/mesh_file.h"
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,19 +27,10 @@ namespace tessera::cli
 namespace
 {
 
-struct OverlayArguments
+struct OverlayArguments: RunOptions
 {
-    std::vector<std::string> inputs;
-    std::string output;
     BooleanOperation operation = BooleanOperation::Union;
     Priority priority = Priority::None;
-    FillRule fill = FillRule::EvenOdd;
-    RecoveryStrategy recovery = RecoveryStrategy::Cavity;
-    std::optional<double> weld;
-    std::optional<double> timeLimit;
-    std::string stages;
-    std::string report;
-    bool quiet = false;
 };
 
 const std::map<std::string, BooleanOperation> kOperations {
@@ -56,15 +47,10 @@ const std::map<std::string, Priority> kPriorities {
 
 void addOptions(CLI::App& command, OverlayArguments& a)
 {
-    command.add_option("INPUT", a.inputs,
-                       ".poly, .wkt, .brep or .step files; their operands in order")
-        ->required();
-    command
-        .add_option("-o,--output", a.output,
-                    "Result as polygons (.wkt, .poly), faces on the original curves (.brep, .step) or "
-                    "triangles: "
-                        + meshExtensions())
-        ->required();
+    addFileOptions(command, a,
+                   "Result as polygons (.wkt, .poly), faces on the original curves (.brep, .step) "
+                   "or triangles: "
+                       + meshExtensions());
     command
         .add_option("--op", a.operation,
                     "union (default), intersection, difference (the first operand minus the "
@@ -78,36 +64,10 @@ void addOptions(CLI::App& command, OverlayArguments& a)
                     "them; a line for each operand")
         ->transform(namesOnly(kPriorities))
         ->type_name("WHICH");
-    command
-        .add_option("--fill", a.fill,
-                    "What is inside an operand: even-odd (default), nonzero, positive, negative "
-                    "or all (every bounded face)")
-        ->transform(namesOnly(kFillRules))
-        ->type_name("RULE");
-    command.add_option("--weld", a.weld,
-                       "End points nearer than this are one; default: 0, for CAD its tolerance");
-    command
-        .add_option("--recovery", a.recovery,
-                    "How boundaries are recovered: cavity (default) or steiner")
-        ->transform(namesOnly(kStrategies))
-        ->type_name("STRATEGY");
-    command.add_option("--time-limit", a.timeLimit, "Seconds after which to give up");
-    command.add_option("--stages", a.stages, "Folder for a picture of each stage")
-        ->type_name("DIR");
-    command.add_option("--report", a.report, "File for the report, JSON");
-    command.add_flag("--quiet", a.quiet, "Print nothing but errors");
-}
-
-void validate(const OverlayArguments& a)
-{
-    if (a.weld && !(*a.weld >= 0.0 && std::isfinite(*a.weld))) {
-        throw Error(ErrorKind::InvalidOption,
-                    fmt::format("--weld is {}; it must be a length of 0 or more.", *a.weld));
-    }
-    if (a.timeLimit && !(*a.timeLimit > 0.0 && std::isfinite(*a.timeLimit))) {
-        throw Error(ErrorKind::InvalidOption,
-                    fmt::format("--time-limit is {}; it must be greater than 0.", *a.timeLimit));
-    }
+    addFillOption(command, a,
+                  "What is inside an operand: even-odd (default), nonzero, positive, negative or "
+                  "all (every bounded face)");
+    addRunOptions(command, a);
 }
 
 bool isFaceExtension(const std::string& extension)
@@ -135,11 +95,9 @@ void writeResult(const OverlayResult& result, const PlaneFrame& frame, const Ove
 int runOverlay(const OverlayArguments& a)
 {
     const CommandClock clock;
-    validate(a);
+    requireValidWeld(a);
     Execution execution;
-    if (a.timeLimit) {
-        execution.setTimeLimit(*a.timeLimit);
-    }
+    setTimeLimit(execution, a);
     const RunControl control(execution, a.quiet);
     requireDistinct(a.inputs, {{"-o", a.output}, {"--report", a.report}});
     requireWritable(a.output);

@@ -2,6 +2,7 @@
 #include "io/overlay_report.h"
 
 #include "io/overlay_files.h"
+#include "io/report_parts.h"
 #include "io/system_memory.h"
 
 #include <nlohmann/json.hpp>
@@ -13,8 +14,6 @@ namespace tessera
 
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 std::size_t differentVertices(const OverlayResult& result)
 {
@@ -60,15 +59,8 @@ std::string formatReport(const OverlayResult& result, BooleanOperation operation
     const OverlayReport& report = result.report;
     Json json;
     json["version"] = TESSERA_VERSION;
-    json["input"] = {{"points", report.inputPoints},
-                     {"segments", report.inputSegments},
-                     {"curves", report.inputCurves},
-                     {"operands", report.inputOperands}};
-    json["crossings"] = report.recovery.crossings;
-    json["touches"] = report.recovery.touches;
-    json["overlaps"] = report.recovery.overlaps;
-    json["steiner_inserted"] = report.recovery.steinerInserted;
-    json["steiner_removed"] = report.recovery.steinerRemoved;
+    addInput(json, report);
+    addRecovery(json, report.recovery);
     json["regions"] = result.parts.parts.size();
     json["vertices"] = differentVertices(result);
     json["triangles"] = triangleCount(result);
@@ -91,11 +83,7 @@ std::string formatReport(const OverlayResult& result, BooleanOperation operation
     json["weld"] = report.weld;
     json["welded"] = report.welded;
     json["messages"] = report.messages;
-    const StageSeconds& s = report.seconds;
-    json["seconds"] = {{"read", s.read},         {"arrange", s.arrange},   {"sample", s.sample},
-                       {"triangulate", s.triangulate}, {"recover", s.recover}, {"color", s.color},
-                       {"refine", s.refine},     {"optimize", s.optimize}, {"extract", s.extract},
-                       {"write", s.write},       {"total", s.total}};
+    json["seconds"] = secondsObject(report.seconds);
     json["peak_memory_bytes"] = peakMemoryBytes();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/report_json.h"
 
+#include "io/report_parts.h"
 #include "io/system_memory.h"
 
 #include <nlohmann/json.hpp>
@@ -11,8 +12,6 @@ namespace tessera
 namespace
 {
 
-using Json = nlohmann::ordered_json;
-
 void addQuality(Json& json, const QualityReport& quality)
 {
     json["min_angle_deg"] = quality.minAngle;
@@ -20,15 +19,6 @@ void addQuality(Json& json, const QualityReport& quality)
     json["angle_p01_deg"] = quality.angleP01;
     json["min_quality"] = quality.minQuality;
     json["mean_quality"] = quality.meanQuality;
-}
-
-void addRecovery(Json& json, const RecoveryReport& recovery)
-{
-    json["crossings"] = recovery.crossings;
-    json["touches"] = recovery.touches;
-    json["overlaps"] = recovery.overlaps;
-    json["steiner_inserted"] = recovery.steinerInserted;
-    json["steiner_removed"] = recovery.steinerRemoved;
 }
 
 Json unreachedList(const std::vector<Unreached>& unreached)
@@ -43,14 +33,6 @@ Json unreachedList(const std::vector<Unreached>& unreached)
     return list;
 }
 
-Json secondsObject(const StageSeconds& s)
-{
-    return {{"read", s.read},         {"arrange", s.arrange},   {"sample", s.sample},
-            {"triangulate", s.triangulate}, {"recover", s.recover}, {"color", s.color},
-            {"refine", s.refine},     {"optimize", s.optimize}, {"extract", s.extract},
-            {"write", s.write},       {"total", s.total}};
-}
-
 } // namespace
 
 std::string formatReport(const MeshResult& result)
@@ -59,10 +41,7 @@ std::string formatReport(const MeshResult& result)
     const auto& conformity = report.quality.sizeConformity;
     Json json;
     json["version"] = TESSERA_VERSION;
-    json["input"] = {{"points", report.inputPoints},
-                     {"segments", report.inputSegments},
-                     {"curves", report.inputCurves},
-                     {"operands", report.inputOperands}};
+    addInput(json, report);
     addRecovery(json, report.recovery);
     json["regions"] = report.regions;
     json["vertices"] = result.mesh.nodes.size();
