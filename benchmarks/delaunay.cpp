@@ -13,14 +13,12 @@
 #ifdef TESSERA_HAS_CGAL
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/version.h>
 #endif
 #ifdef TESSERA_HAS_GEOS
 #include "geos_peer.h"
 #endif
 #ifdef TESSERA_HAS_BOOST
 #include <boost/polygon/voronoi.hpp>
-#include <boost/version.hpp>
 #endif
 
 #include <algorithm>
@@ -162,21 +160,6 @@ void addBoost(Section& section, const std::string& input, const Points& points)
 }
 #endif
 
-std::string peers()
-{
-    std::string text;
-#ifdef TESSERA_HAS_CGAL
-    text += "CGAL " CGAL_VERSION_STR ", ";
-#endif
-#ifdef TESSERA_HAS_GEOS
-    text += "GEOS " GEOS_VERSION ", ";
-#endif
-#ifdef TESSERA_HAS_BOOST
-    text += "Boost " BOOST_LIB_VERSION ", ";
-#endif
-    return text.substr(0, std::max<std::size_t>(text.size(), 2) - 2);
-}
-
 /// Which peers besides CGAL run.
 struct Others
 {
@@ -208,7 +191,8 @@ void addInput(Section& section, const std::string& input, const Points& points, 
 
 int main(int argc, char** argv)
 {
-    Section section("Delaunay triangulation of a million points", peers());
+    Section section("Delaunay triangulation of a million points",
+                    bench::peers({"CGAL", "GEOS", "Boost"}));
     Generator generator;
     addInput(section, "uniform", generator.uniform(), 0.4, {.geos = true});
     addInput(section, "grid", generator.grid(1.0), 0.4, {.boost = true});

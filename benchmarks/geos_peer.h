@@ -57,6 +57,18 @@ inline GeosGeometry geosLines(std::span<const Vec2> points,
     return geosCollection(GEOS_MULTILINESTRING, std::move(parts));
 }
 
+/// The closed ring through the points; the caller owns it.
+inline GEOSGeometry* geosRing(std::span<const Vec2> points)
+{
+    const auto count = static_cast<unsigned>(points.size() + 1);
+    GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(geosContext(), count, 2);
+    for (unsigned i = 0; i < count; ++i) {
+        const Vec2 p = points[i % points.size()];
+        GEOSCoordSeq_setXY_r(geosContext(), sequence, i, p.x, p.y);
+    }
+    return GEOSGeom_createLinearRing_r(geosContext(), sequence);
+}
+
 /// The triangles as polygons.
 inline GeosGeometry geosDelaunay(const GeosGeometry& points)
 {

@@ -22,7 +22,7 @@
 #include <CGAL/Polygon_set_2.h>
 #endif
 #ifdef TESSERA_HAS_GEOS
-#include <geos_c.h>
+#include "geos_peer.h"
 #endif
 #ifdef TESSERA_HAS_BOOST
 #include <boost/geometry.hpp>
@@ -184,70 +184,34 @@ Section::Run cgalCellsRun(const Rings& rings)
 #endif
 
 #ifdef TESSERA_HAS_GEOS
-class Geos
+bench::GeosGeometry geosPolygon(const Ring& ring)
 {
-public:
-    Geos()
-        : context_(GEOS_init_r())
-    {}
-    ~Geos() { GEOS_finish_r(context_); }
-    Geos(const Geos&) = delete;
-    Geos& operator=(const Geos&) = delete;
-    GEOSContextHandle_t context() const { return context_; }
-
-    std::shared_ptr<GEOSGeometry> own(GEOSGeometry* geometry) const
-    {
-        return {geometry,
-                [context = context_](GEOSGeometry* g) { GEOSGeom_destroy_r(context, g); }};
-    }
-
-    GEOSGeometry* ring(const Ring& points) const
-    {
-        const auto count = static_cast<unsigned>(points.size() + 1);
-        GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(context_, count, 2);
-        for (unsigned i = 0; i < count; ++i) {
-            const Vec2 p = points[i % points.size()];
-            GEOSCoordSeq_setXY_r(context_, sequence, i, p.x, p.y);
-        }
-        return GEOSGeom_createLinearRing_r(context_, sequence);
-    }
-    GEOSGeometry* polygon(const Ring& points) const
-    {
-        return GEOSGeom_createPolygon_r(context_, ring(points), nullptr, 0);
-    }
-
-private:
-    GEOSContextHandle_t context_;
-};
+    return bench::geosOwned(
+        GEOSGeom_createPolygon_r(bench::geosContext(), bench::geosRing(ring), nullptr, 0));
+}
 
 Section::Run geosRun(const Rings& rings)
 {
-    const auto geos = std::make_shared<Geos>();
-    const auto a = geos->own(geos->polygon(rings[0]));
-    const auto b = geos->own(geos->polygon(rings[1]));
-    return [geos, a, b](Result& out) {
-        const auto result = geos->own(GEOSIntersection_r(geos->context(), a.get(), b.get()));
+    return [a = geosPolygon(rings[0]), b = geosPolygon(rings[1])](Result& out) {
+        const auto result =
+            bench::geosOwned(GEOSIntersection_r(bench::geosContext(), a.get(), b.get()));
         double area = 0.0;
-        GEOSArea_r(geos->context(), result.get(), &area);
+        GEOSArea_r(bench::geosContext(), result.get(), &area);
         out.columns["area"] = area;
     };
 }
 
 Section::Run geosCellsRun(const Rings& rings)
 {
-    const auto geos = std::make_shared<Geos>();
     std::vector<GEOSGeometry*> lines;
     for (const Ring& ring : rings) {
-        lines.push_back(geos->ring(ring));
+        lines.push_back(bench::geosRing(ring));
     }
-    const auto all = geos->own(
-        GEOSGeom_createCollection_r(geos->context(), GEOS_MULTILINESTRING, lines.data(),
-                                    static_cast<unsigned>(lines.size())));
-    return [geos, all](Result& out) {
-        const auto noded = geos->own(GEOSUnaryUnion_r(geos->context(), all.get()));
+    return [all = bench::geosCollection(GEOS_MULTILINESTRING, lines)](Result& out) {
+        const auto noded = bench::geosNoding(all);
         const GEOSGeometry* list[] = {noded.get()};
-        const auto cells = geos->own(GEOSPolygonize_r(geos->context(), list, 1));
-        out.columns["polygons"] = GEOSGetNumGeometries_r(geos->context(), cells.get());
+        const auto cells = bench::geosOwned(GEOSPolygonize_r(bench::geosContext(), list, 1));
+        out.columns["polygons"] = GEOSGetNumGeometries_r(bench::geosContext(), cells.get());
     };
 }
 #endif
@@ -302,24 +266,6 @@ Section::Run clipperRun(const Rings& rings)
 
 constexpr int kSlow = 1; ///< repetitions of what takes seconds
 
-std::string peers()
-{
-    std::string text;
-#ifdef TESSERA_HAS_CGAL
-    text += "CGAL " CGAL_VERSION_STR ", ";
-#endif
-#ifdef TESSERA_HAS_GEOS
-    text += "GEOS " GEOS_VERSION ", ";
-#endif
-#ifdef TESSERA_HAS_BOOST
-    text += "Boost " BOOST_LIB_VERSION ", ";
-#endif
-#ifdef TESSERA_HAS_CLIPPER
-    text += "Clipper " CLIPPER_VERSION ", ";
-#endif
-    return text.substr(0, std::max<std::size_t>(text.size(), 2) - 2);
-}
-
 void addStars(Section& section, const std::string& name, const Rings& rings)
 {
     section.add(name, "Tessera", tesseraRun(rings, BooleanOperation::Intersection));
@@ -372,7 +318,8 @@ int main(int argc, char** argv)
     constexpr std::size_t kPoints = 100000;
     const auto n = static_cast<double>(kPoints);
     const Vec2 origin;
-    Section section("Overlays of polygons with 10^5 points", peers());
+    Section section("Overlays of polygons with 10^5 points",
+                    bench::peers({"CGAL", "GEOS", "Boost", "Clipper"}));
     addStars(section, "stars", {star(kPoints, 0.0), star(kPoints, 2.0 * std::numbers::pi / n)});
     addWiggly(section, "wiggly",
               {waves(kPoints, origin, 1e-5, n / 2.0 + 0.3, 0.1),

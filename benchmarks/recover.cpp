@@ -19,7 +19,6 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/version.h>
 #endif
 #ifdef TESSERA_HAS_GEOS
 #include "geos_peer.h"
@@ -117,18 +116,6 @@ void addInput(Section& section, const std::string& name, const RawPslg& raw,
     section.expect(name, expectation);
 }
 
-std::string peers()
-{
-    std::string text;
-#ifdef TESSERA_HAS_CGAL
-    text += "CGAL " CGAL_VERSION_STR ", ";
-#endif
-#ifdef TESSERA_HAS_GEOS
-    text += "GEOS " GEOS_VERSION ", ";
-#endif
-    return text.substr(0, std::max<std::size_t>(text.size(), 2) - 2);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -138,7 +125,7 @@ int main(int argc, char** argv)
     const RawPslg concurrent = lattice(1000, 100, 1);
     const Expectation fast {"CGAL inexact", 0.5, 200.0};
     const Expectation hard {"CGAL exact", 1.0, 0.0};
-    Section section("Constraints, crossing or not", peers());
+    Section section("Constraints, crossing or not", bench::peers({"CGAL", "GEOS"}));
     addInput(section, "1,000 long", longOnes, fast);
     addInput(section, "100,000 short", shortSegments(100000, 1), fast);
     addInput(section, "lattice", concurrent, fast);

@@ -7,7 +7,7 @@
 //
 //     int main(int argc, char** argv)
 //     {
-//         Section section("Delaunay triangulation of a million points", "CGAL 5.5");
+//         Section section("Delaunay triangulation of a million points", peers({"CGAL"}));
 //         section.add("uniform", "Tessera", [&](Result& result) { ...; result.vertices = n; });
 //         section.add("uniform", "CGAL", [&](Result& result) { ... });
 //         section.expect("uniform", {"CGAL", 0.4, 120.0});
@@ -24,7 +24,21 @@
 
 #include <benchmark/benchmark.h>
 
+#ifdef TESSERA_HAS_CGAL
+#include <CGAL/version.h>
+#endif
+#ifdef TESSERA_HAS_GEOS
+#include <geos_c.h>
+#endif
+#ifdef TESSERA_HAS_BOOST
+#include <boost/version.hpp>
+#endif
+#ifdef TESSERA_HAS_CLIPPER
+#include <polyclipping/clipper.hpp>
+#endif
+
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <sstream>
 #include <string>
@@ -48,12 +62,38 @@ struct Expectation
     double bytesPerVertex = 0.0; ///< at the heap's peak, at most
 };
 
+/// Those of the named peers that are compiled in, with their versions.
+inline std::string peers(std::initializer_list<const char*> names)
+{
+    const std::map<std::string, std::string> versions {
+#ifdef TESSERA_HAS_CGAL
+        {"CGAL", CGAL_VERSION_STR},
+#endif
+#ifdef TESSERA_HAS_GEOS
+        {"GEOS", GEOS_VERSION},
+#endif
+#ifdef TESSERA_HAS_BOOST
+        {"Boost", BOOST_LIB_VERSION},
+#endif
+#ifdef TESSERA_HAS_CLIPPER
+        {"Clipper", CLIPPER_VERSION},
+#endif
+    };
+    std::string text;
+    for (const char* name : names) {
+        if (const auto found = versions.find(name); found != versions.end()) {
+            text += (text.empty() ? "" : ", ") + found->first + ' ' + found->second;
+        }
+    }
+    return text;
+}
+
 class Section
 {
 public:
     using Run = std::function<void(Result&)>;
 
-    /// peers: names and versions.
+    /// peers: see peers().
     Section(const std::string& title, const std::string& peers)
     {
         benchmark::AddCustomContext("title", title);
