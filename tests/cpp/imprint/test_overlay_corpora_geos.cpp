@@ -143,11 +143,8 @@ class OverlayCorpora: public testing::Test
 protected:
     void SetUp() override
     {
+        TESSERA_NEEDS_CORPORA();
         const std::filesystem::path folder = test::corpora() / "boolean";
-        if (!std::filesystem::exists(folder)) {
-            GTEST_SKIP() << "The corpora are not at " << test::corpora()
-                         << "; set TESSERA_CORPORA to their folder.";
-        }
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
             if (entry.path().filename().string().find(".jsonl") != std::string::npos) {
                 files_.push_back(entry.path());

@@ -87,12 +87,4 @@ inline void writeAll(const std::filesystem::path& path, const std::string& text)
     std::ofstream(path, std::ios::binary) << text;
 }
 
-/// Folder of the third-party test data; may not exist.
-inline std::filesystem::path corpora()
-{
-    const char* given = std::getenv("TESSERA_CORPORA");
-    return given != nullptr ? std::filesystem::path(given)
-                            : std::filesystem::path(TESSERA_SOURCE_DIR) / "../shared/corpora";
-}
-
 } // namespace tessera::testing

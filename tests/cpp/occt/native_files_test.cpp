@@ -4,6 +4,7 @@
 #include "occt/rehearse.h"
 #include "occt/shape_network.h"
 
+#include "corpora_folder.h"
 #include "network_measures.h"
 
 #include <BRepGProp.hxx>
@@ -125,10 +126,8 @@ Ed
 
 TEST(NativeFiles, AreaOfEveryPlanarFaceIsOpenCascades)
 {
+    TESSERA_NEEDS_CORPORA();
     const std::filesystem::path folder = corpora() / "cad/native";
-    if (!std::filesystem::is_directory(folder)) {
-        GTEST_SKIP() << "the corpora are not at " << corpora() << "; set TESSERA_CORPORA";
-    }
     int planar = 0;
     int refused = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -166,10 +165,8 @@ TEST(NativeFiles, AreaOfEveryPlanarFaceIsOpenCascades)
 
 TEST(NativeFiles, SolidsAreRefusedInWordsAndStepIsRead)
 {
+    TESSERA_NEEDS_CORPORA();
     const std::filesystem::path folder = corpora() / "cad/native";
-    if (!std::filesystem::is_directory(folder)) {
-        GTEST_SKIP() << "the corpora are not at " << corpora() << "; set TESSERA_CORPORA";
-    }
     EXPECT_NE(messageOf(folder / "FreeCAD_as1-ac-214.stp").find("cylindrical"), std::string::npos);
     EXPECT_NE(messageOf(folder / "OCCT_wedge_ok.brep").find("out of the plane of Face1"),
               std::string::npos);
@@ -226,10 +223,8 @@ TEST(ReadCad, MissingForeignAndTruncatedFilesAreUnreadable)
 
 TEST(ReadCad, TruncatedCorpusFilesAreUnreadable)
 {
+    TESSERA_NEEDS_CORPORA();
     const std::filesystem::path folder = corpora() / "cad/native";
-    if (!std::filesystem::is_directory(folder)) {
-        GTEST_SKIP() << "the corpora are not at " << corpora() << "; set TESSERA_CORPORA";
-    }
     for (const char* name : {"FreeCAD_cylinder4.brep", "OCCT_screw.step"}) {
         const std::string text = textOf(folder / name);
         ASSERT_GT(text.size(), 1000U);

@@ -76,11 +76,4 @@ inline double greatestEndGap(const CurveNetwork& network)
     return greatest;
 }
 
-inline std::filesystem::path corpora()
-{
-    const char* given = std::getenv("TESSERA_CORPORA");
-    return given ? std::filesystem::path(given)
-                 : std::filesystem::path(TESSERA_SOURCE_DIR) / "../shared/corpora";
-}
-
 } // namespace tessera::test

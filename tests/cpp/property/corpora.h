@@ -3,6 +3,7 @@
 
 // Planar straight-line graphs of other projects, with the counts of their exact arrangement.
 
+#include "corpora_folder.h"
 #include "io/text_file.h"
 #include "recover/recovery_case.h"
 
@@ -21,13 +22,6 @@
 namespace tessera::test
 {
 
-inline std::filesystem::path corpora()
-{
-    const char* given = std::getenv("TESSERA_CORPORA");
-    return given != nullptr ? std::filesystem::path(given)
-                            : std::filesystem::path(TESSERA_SOURCE_DIR) / "../shared/corpora";
-}
-
 struct ExactCounts
 {
     std::size_t vertices;  ///< different points, and crossings
@@ -44,15 +38,11 @@ struct CorpusPslg
     ExactCounts exact;
 };
 
-/// Empty if the corpora are not there.
+/// Precondition: TESSERA_NEEDS_CORPORA().
 inline std::vector<CorpusPslg> corpusPslgs()
 {
     std::vector<CorpusPslg> result;
-    const std::filesystem::path manifest = corpora() / "MANIFEST.json";
-    if (!std::filesystem::exists(manifest)) {
-        return result;
-    }
-    const auto json = nlohmann::json::parse(readTextFile(manifest));
+    const auto json = nlohmann::json::parse(readTextFile(corpora() / "MANIFEST.json"));
     for (const auto& [name, entry] : json.items()) {
         if (entry.at("kind") == "pslg") {
             const auto& expect = entry.at("expect");

@@ -21,11 +21,8 @@ class Corpora: public testing::Test
 protected:
     void SetUp() override
     {
+        TESSERA_NEEDS_CORPORA();
         cases_ = corpusPslgs();
-        if (cases_.empty()) {
-            GTEST_SKIP() << "The corpora are not at " << corpora()
-                         << "; set TESSERA_CORPORA to their folder.";
-        }
     }
     std::vector<CorpusPslg> cases_;
 };

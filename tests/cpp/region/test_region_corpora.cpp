@@ -23,11 +23,8 @@ class RegionCorpora: public testing::Test
 protected:
     void SetUp() override
     {
+        TESSERA_NEEDS_CORPORA();
         cases_ = test::corpusPslgs();
-        if (cases_.empty()) {
-            GTEST_SKIP() << "The corpora are not at " << test::corpora()
-                         << "; set TESSERA_CORPORA to their folder.";
-        }
         manifest_ = nlohmann::json::parse(readTextFile(test::corpora() / "MANIFEST.json"));
     }
     std::vector<test::CorpusPslg> cases_;

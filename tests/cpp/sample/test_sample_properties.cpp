@@ -303,10 +303,8 @@ TEST(SampleProperties, EqualCurvesAreEquallySampled)
 
 TEST(SampleProperties, PiecesOfOtherProjectsNetworks)
 {
+    TESSERA_NEEDS_CORPORA();
     const auto files = corpusPslgs();
-    if (files.empty()) {
-        GTEST_SKIP() << "no corpora at " << corpora();
-    }
     Distributions found;
     std::size_t used = 0;
     for (const CorpusPslg& file : files) {
