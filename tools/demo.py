@@ -278,7 +278,7 @@ def main():
     return 0 if good else 1
 
 
-status = 1
+status = 2
 try:
     status = main()
 except BaseException:
