@@ -336,7 +336,7 @@ class MeshComparison:
             for (u, _, p), (v, _, q) in zip(chain, chain[1:]):
                 # A smooth arc and its chord enclose less than the chord's length times the sagitta.
                 chord = np.hypot(*(q - p))
-                self.chord_error += 1.5 * chord * sagitta(curve, u, v, p, q)
+                self.chord_error += chord * sagitta(curve, u, v, p, q)
                 self.chord_shortening += max(integrate(curve, u, v)[1] - chord, 0.0)
         if outline:
             ends = ((t0, chain[0][2]), (t1, chain[-1][2]))

@@ -42,13 +42,14 @@ void addRunOptions(CLI::App& command, RunOptions& options)
     command.add_flag("--quiet", options.quiet, "Print nothing but errors");
 }
 
-double positive(const std::optional<double>& value, const char* option)
+double positive(const std::optional<double>& value, const char* option, double otherwise)
 {
     if (value && !(*value > 0.0 && std::isfinite(*value))) {
         throw Error(ErrorKind::InvalidOption,
-                    fmt::format("{} is {}; it must be greater than 0.", option, *value));
+                    fmt::format("{} is {}; it must be a finite number greater than 0.", option,
+                                *value));
     }
-    return value.value_or(0.0);
+    return value.value_or(otherwise);
 }
 
 void requireValidWeld(const RunOptions& options)

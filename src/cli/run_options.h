@@ -37,8 +37,9 @@ void addFillOption(CLI::App& command, RunOptions& options, const std::string& ru
 /// --weld, --recovery, --time-limit, --stages, --report, --quiet.
 void addRunOptions(CLI::App& command, RunOptions& options);
 
-/// The value of an option, 0 if it was not given; Error(InvalidOption) unless it is above 0.
-double positive(const std::optional<double>& value, const char* option);
+/// The value of an option that is a number above 0, else throws Error(InvalidOption); otherwise if it
+/// was not given.
+double positive(const std::optional<double>& value, const char* option, double otherwise = 0.0);
 
 /// Error(InvalidOption) if the weld tolerance is negative or not finite.
 void requireValidWeld(const RunOptions& options);

@@ -2,6 +2,7 @@
 #include "cli/size_options.h"
 
 #include "base/error.h"
+#include "cli/run_options.h"
 #include "expression/expression_source.h"
 #include "io/text_file.h"
 #include "vtk/background_file.h"
@@ -174,15 +175,6 @@ void addRegionSizes(const std::string& text, LocalSizes& sizes)
     }
 }
 
-double positive(const std::optional<double>& value, const char* option, double otherwise)
-{
-    if (value && !(*value > 0.0 && std::isfinite(*value))) {
-        throw Error(ErrorKind::InvalidOption,
-                    fmt::format("{} is {}; it must be greater than 0.", option, *value));
-    }
-    return value.value_or(otherwise);
-}
-
 } // namespace
 
 void addSizeOptions(CLI::App& command, SizeArguments& a)
@@ -212,8 +204,8 @@ LocalSizes localSizes(const SizeArguments& a, const Inputs& inputs)
 {
     LocalSizes sizes;
     sizes.piecesPerTurn = a.curvature.value_or(sizes.piecesPerTurn);
-    sizes.chordError = positive(a.chordError, "--chord-error", 0.0);
-    sizes.gap = positive(a.gap, "--gap", 0.0);
+    sizes.chordError = positive(a.chordError, "--chord-error");
+    sizes.gap = positive(a.gap, "--gap");
     for (const std::string& text : a.at) {
         sizes.points.push_back(pointSize(text));
     }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -47,8 +48,10 @@ public:
     {
         mesh_.cellNodes.push_back(indexOf(number));
     }
+    bool hasNode(std::int64_t number) const { return find(number).has_value(); }
     RawMesh take() { return std::move(mesh_); }
     RawMesh& mesh() { return mesh_; }
+    const RawMesh& mesh() const { return mesh_; }
 
 private:
     void useMap()
@@ -57,7 +60,7 @@ private:
             indexOf_.emplace(mesh_.nodeNumber[i], static_cast<std::uint32_t>(i));
         }
     }
-    std::uint32_t indexOf(std::int64_t number) const
+    std::optional<std::uint32_t> find(std::int64_t number) const
     {
         if (indexOf_.empty()) {
             if (number >= 1 && number <= static_cast<std::int64_t>(mesh_.nodes.size())) {
@@ -66,6 +69,13 @@ private:
         }
         else if (const auto found = indexOf_.find(number); found != indexOf_.end()) {
             return found->second;
+        }
+        return std::nullopt;
+    }
+    std::uint32_t indexOf(std::int64_t number) const
+    {
+        if (const std::optional<std::uint32_t> index = find(number)) {
+            return *index;
         }
         lines_.fail(fmt::format("there is no node {}.", number));
     }

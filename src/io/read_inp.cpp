@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "io/inp_sets.h"
 #include "io/raw_mesh_builder.h"
 #include "io/read_text_mesh.h"
 
@@ -103,10 +104,14 @@ public:
             else if (section == Section::Elements) {
                 readElement();
             }
+            else if (section == Section::Set) {
+                sets_.readMembers(lines_);
+            }
         }
         if (builder_.mesh().nodes.empty()) {
             lines_.fail("the file has no *NODE; it is no input deck or cut off.");
         }
+        sets_.requireMembers(builder_, lines_.file());
         return builder_.take();
     }
 
@@ -115,6 +120,7 @@ private:
     {
         Nodes,
         Elements,
+        Set,
         Other,
     };
 
@@ -122,8 +128,15 @@ private:
     Section readKeyword(const std::string& line)
     {
         const std::string keyword = line.substr(0, line.find(','));
+        if (keyword == "*NODE" || keyword == "*ELEMENT" || keyword == "*NSET"
+            || keyword == "*ELSET") {
+            sets_.define(line);
+        }
         if (keyword == "*NODE") {
             return Section::Nodes;
+        }
+        if (keyword == "*NSET" || keyword == "*ELSET") {
+            return Section::Set;
         }
         if (keyword == "*INCLUDE") {
             lines_.fail("*INCLUDE is not supported; give the file that has the mesh.");
@@ -182,6 +195,7 @@ private:
 
     LineReader lines_;
     RawMeshBuilder builder_;
+    InpSets sets_;
     std::string type_;
     CellKind kind_ = CellKind::Triangle3;
 };

@@ -14,7 +14,8 @@ namespace tessera
 RawMesh parseMsh(std::string_view text, const std::string& name);
 
 /// Parses the nodes and the shell, plane, axisymmetric, membrane, beam and truss elements with up
-/// to 8 nodes of an Abaqus or CalculiX input deck. Throws Error(Unreadable) with file and line.
+/// to 8 nodes of an Abaqus or CalculiX input deck. Throws Error(Unreadable) with file and line, also
+/// where a node or element set names what does not exist.
 RawMesh parseInp(std::string_view text, const std::string& name);
 
 } // namespace tessera

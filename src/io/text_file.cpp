@@ -68,6 +68,10 @@ std::string readTextFile(const std::filesystem::path& path)
     if (std::ferror(file.get()) != 0) {
         failToRead(path, std::strerror(errno));
     }
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // editors write it into UTF-8
+    if (text.starts_with(kByteOrderMark)) {
+        text.erase(0, kByteOrderMark.size());
+    }
     return text;
 }
 

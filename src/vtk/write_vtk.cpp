@@ -13,6 +13,7 @@
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -24,6 +25,9 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
+
+#include <cerrno>
+#include <cstring>
 
 namespace tessera
 {
@@ -181,19 +185,27 @@ vtkSmartPointer<vtkUnstructuredGrid> makeGrid(const Mesh& mesh)
     return grid;
 }
 
+/// Writes to file; path is what messages call it.
 template<class Writer>
-void runWriter(Writer& writer, vtkUnstructuredGrid& grid, const std::filesystem::path& path)
+void runWriter(Writer& writer, vtkUnstructuredGrid& grid, const AtomicFile& file,
+               const std::filesystem::path& path)
 {
     vtkNew<ErrorListener> listener;
-    writer.AddObserver(vtkCommand::ErrorEvent, listener);
-    writer.AddObserver(vtkCommand::WarningEvent, listener);
-    writer.SetFileName(path.c_str());
+    for (vtkObject* source : {static_cast<vtkObject*>(&writer),
+                              static_cast<vtkObject*>(writer.GetExecutive())}) {
+        source->AddObserver(vtkCommand::ErrorEvent, listener);
+        source->AddObserver(vtkCommand::WarningEvent, listener);
+    }
+    writer.SetFileName(file.temporary().c_str());
     writer.SetInputData(&grid);
     if (writer.Write() == 0 || writer.GetErrorCode() != vtkErrorCode::NoError
         || listener->failed()) {
+        const unsigned long code = writer.GetErrorCode();
         throw Error(ErrorKind::Unwritable,
                     fmt::format("{}: cannot be written: {}.", path.string(),
-                                vtkErrorCode::GetStringFromErrorCode(writer.GetErrorCode())));
+                                code == vtkErrorCode::OutOfDiskSpaceError
+                                    ? std::strerror(ENOSPC)
+                                    : vtkErrorCode::GetStringFromErrorCode(code)));
     }
 }
 
@@ -206,7 +218,7 @@ void writeVtk(const Mesh& mesh, const std::filesystem::path& path)
     if (extensionOf(path) == ".vtk") {
         vtkNew<vtkUnstructuredGridWriter> writer;
         writer->SetFileTypeToBinary();
-        runWriter(*writer, *grid, file.temporary());
+        runWriter(*writer, *grid, file, path);
     }
     else {
         vtkNew<vtkXMLUnstructuredGridWriter> writer;
@@ -214,7 +226,7 @@ void writeVtk(const Mesh& mesh, const std::filesystem::path& path)
         writer->EncodeAppendedDataOff();
         writer->SetCompressorTypeToNone();
         writer->SetHeaderTypeToUInt64();
-        runWriter(*writer, *grid, file.temporary());
+        runWriter(*writer, *grid, file, path);
     }
     file.commit();
 }

@@ -92,3 +92,13 @@ def test_no_file_is_left(face, tmp_path, monkeypatch):
     before = set(Path("/dev/shm").glob("tessera-*"))
     tessera.mesh(face, size=2.0).to_fem()
     assert set(Path("/dev/shm").glob("tessera-*")) <= before and not list(tmp_path.iterdir())
+
+
+def test_outside_of_freecad(monkeypatch):
+    import sys
+
+    mesh = tessera.mesh([(0, 0), (4, 0), (4, 4), (0, 4)], size=1.0)
+    monkeypatch.delitem(sys.modules, "tessera.fem", raising=False)
+    monkeypatch.setitem(sys.modules, "Fem", None)
+    with pytest.raises(tessera.Error, match="freecadcmd"):
+        mesh.to_fem()

@@ -7,7 +7,7 @@ from typing import NamedTuple, Tuple
 
 import numpy as np
 
-from tessera.errors import UnwritableError
+from tessera.errors import Error, UnwritableError
 from tessera.native import module as native
 
 _QUALITY_KEYS = ("min_angle_deg", "max_angle_deg", "angle_p01_deg", "min_quality", "mean_quality")
@@ -98,8 +98,15 @@ class Mesh:
 
     def to_fem(self, placed=True):
         """A Fem.FemMesh with triangles, the edges on curves and all groups; at the place of the
-        source in space, or with z = 0 in the frame of its plane."""
-        from tessera.fem import to_fem
+        source in space, or with z = 0 in the frame of its plane. Raises tessera.Error outside of
+        FreeCAD."""
+        try:
+            from tessera.fem import to_fem
+        except ModuleNotFoundError as error:
+            raise Error(
+                "A FemMesh can only be made where FreeCAD runs; start the script with freecadcmd, "
+                "or write the mesh to a file."
+            ) from error
 
         return to_fem(self, placed)
 

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace tessera
@@ -90,6 +92,14 @@ TEST(ReadWkt, DropsHeightsMeasuresAndSrid)
     for (Vec2 p : network.points) {
         EXPECT_EQ(p, (Vec2 {1.0, 2.0}));
     }
+}
+
+TEST(ReadWkt, ByteOrderMarkOfAFile)
+{
+    const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "marked.wkt";
+    std::ofstream(path) << "\xEF\xBB\xBFPOINT (1 2)\n";
+    EXPECT_EQ(readWkt(path).points.size(), 1U);
+    std::filesystem::remove(path);
 }
 
 TEST(ReadWkt, EmptyGeometriesAreOperands)

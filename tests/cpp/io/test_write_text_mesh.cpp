@@ -389,6 +389,22 @@ TEST(ReadInp, SaysFileLineAndReason)
     refuse(nodes + "*ELEMENT, TYPE=S3\n1,1,2\n", "the file ends before the rest of an element");
 }
 
+TEST(ReadInp, SetsNameWhatExists)
+{
+    const std::string mesh = "*NODE\n1,0,0\n2,1,0\n30,0,1\n*ELEMENT,TYPE=S3,ELSET=Eall\n7,1,2,30\n";
+    for (const char* sets : {"*NSET,NSET=N,GENERATE\n1,30,1\n", "*NSET, NSET=A\n1, 2,\n30\n",
+                             "*Elset, elset=B\neALL, 7\n", "*NSET,NSET=A\n1\n*NSET,NSET=B\nA\n"}) {
+        EXPECT_EQ(parseInp(mesh + sets, "a.inp").cells.size(), 1U) << sets;
+    }
+    const auto refuse = [&](const std::string& sets, const std::string& expected) {
+        expectError(ErrorKind::Unreadable, expected, [&] { parseInp(mesh + sets, "bad.inp"); });
+    };
+    refuse("*NSET,NSET=A\n1,2\n3\n", "bad.inp:9: the set names node 3, which does not exist");
+    refuse("*NSET,NSET=A,GENERATE\n1,31,1\n", "bad.inp:8: the set names node 31");
+    refuse("*ELSET,ELSET=A\n8\n", "bad.inp:8: the set names element 8");
+    refuse("*ELSET,ELSET=A\nB\n", "bad.inp:8: there is no element set 'B'");
+}
+
 TEST(ReadTextMesh, TruncatedAnywhereIsRefusedOrRead)
 {
     const std::string msh = formatMsh(secondOrderPlate(3));

@@ -78,7 +78,12 @@ class Panel:
     reference to a deleted one could be taken for a new widget at the same address."""
 
     def __init__(self):
-        wait_until(lambda: self.find() is not None, 10)
+        wait_until(lambda: self.find() is not None, fail=False)
+        assert self.find() is not None, (
+            f"no panel opened; there is{'' if FreeCADGui.Control.activeDialog() else ' not'} a "
+            f"dialog, the button is {'en' if toolbar_action().isEnabled() else 'dis'}abled, "
+            f"selected: {selected()}"
+        )
 
     @staticmethod
     def find():
@@ -158,7 +163,7 @@ def open_panel(*items):
     """Selects, then presses the toolbar's button."""
     select(*items)
     FreeCADGui.updateGui()
-    wait_until(toolbar_action().isEnabled, 10)
+    wait_until(lambda: toolbar_action().isEnabled())
     toolbar_action().trigger()
     return Panel()
 
