@@ -406,7 +406,9 @@ private:
             refineOptions_.regionMaxArea.push_back(region.maxArea);
         }
         refineOptions_.maxTriangles = options_.memoryLimit / kBytesPerTriangle;
-        refuseTooLarge(estimateTriangles(working_, size, refineOptions_));
+        if (options_.memoryLimit > 0.0) {
+            refuseTooLarge(estimateTriangles(working_, size, refineOptions_));
+        }
         RefineReport refined = refine(working_, size, refineOptions_, execution_);
         result_.report.unreached = std::move(refined.unreached);
         watch_.lap(result_.report.seconds.refine);
@@ -446,7 +448,7 @@ private:
         Mesh& mesh = result_.mesh;
         mesh = std::move(extracted.mesh);
         execution_.checkpoint();
-        report.quality = measureQuality(mesh, &size);
+        report.quality = measureQuality(mesh, &size, execution_.threads());
         execution_.checkpoint();
         if (options_.order == 2) {
             for (const std::uint32_t e : makeSecondOrder(mesh, extracted.edgeMiddle)) {

@@ -8,11 +8,12 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <thread>
 
 namespace tessera
 {
 
-/// Progress, cancel and time limit of one run; passed by reference to every long stage.
+/// Progress, cancel, time limit and threads of one run; passed by reference to every long stage.
 /// Stages call checkpoint() at least every few milliseconds of work. Thread-safe.
 class Execution
 {
@@ -33,6 +34,13 @@ public:
         deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                         std::chrono::duration<double>(seconds));
     }
+    /// How many threads stages may use; 0: as many as the machine has. Results do not depend on it.
+    void setThreads(int count)
+    {
+        const auto all = static_cast<int>(std::thread::hardware_concurrency());
+        threads_ = std::max(count > 0 ? count : all, 1);
+    }
+    int threads() const { return threads_; }
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
     /// A stage covers [begin, end] of the whole run; its own progress is scaled into it.
@@ -70,6 +78,7 @@ public:
 private:
     std::atomic<bool> cancelled_ {false};
     std::optional<Clock::time_point> deadline_;
+    int threads_ = 1;
     Progress progress_;
     const char* stage_ = "";
     double begin_ = 0.0;

@@ -34,7 +34,8 @@ constexpr int kRings = 2;
 constexpr double kShortEdge = 0.68; ///< of the size: candidates for merging
 /// Squared sines: triangles below 42 degrees are bad; stars below 55 degrees near them are smoothed.
 constexpr double kScan = 0.44773576836617335;
-/// Where the size field keeps many triangles below that, rounds after the second look below 38.
+/// Where the size field keeps many triangles below that, rounds after the first look below 38: costs
+/// a quarter less and leaves a better mean (growth 0.3: 0.9622 instead of 0.9614).
 constexpr double kScanOfRest = 0.37903905220016616;
 constexpr double kSmooth = 0.67101007166283436;
 
@@ -116,10 +117,12 @@ void LocalImprovement::run()
         if (report_.moves + report_.collapses == before) {
             break;
         }
-        if (round > 0 && isLarge(list_)) {
-            scan_ = kScanOfRest;
-        }
         seedAgain();
+        if (scan_ > kScanOfRest && isLarge(list_)) {
+            scan_ = kScanOfRest;
+            startList();
+            seedAll();
+        }
     }
     startList();
 }

@@ -175,13 +175,16 @@ private:
             for (std::uint32_t side = 0; side < 3; ++side) {
                 const HalfEdge h = Topology::halfEdge(i, side);
                 const std::uint32_t ends[2] = {t_.origin(h), t_.destination(h)};
-                const double l = distance(t_.points[ends[0]], t_.points[ends[1]]);
+                const double l = squaredDistance(t_.points[ends[0]], t_.points[ends[1]]);
                 for (const std::uint32_t v : ends) {
                     if (t_.isConstrained(h) || editor_.isFree(v)) {
                         spacing_[v] = std::min(spacing_[v], l);
                     }
                 }
             }
+        }
+        for (double& spacing : spacing_) {
+            spacing = std::sqrt(spacing);
         }
     }
 

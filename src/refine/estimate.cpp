@@ -24,7 +24,7 @@ namespace
 {
 
 constexpr double kMostTriangles = 1e12;
-constexpr std::size_t kMostParts = 16384;
+constexpr std::size_t kMostParts = 2048;
 constexpr int kDeepest = 60;
 
 /// A part of a triangle with the integral over it by the midpoint rule; stands for weight parts.
@@ -194,7 +194,7 @@ std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOption
 {
     const Triangulation& t = mesh.triangulation;
     constexpr double degrees = 180.0 / std::numbers::pi;
-    const double cosineLimit = std::cos(options.minAngle / degrees);
+    const double tangentLimit = std::tan(options.minAngle / degrees);
     std::vector<Unreached> angles;
     std::vector<Unreached> areas;
     for (const std::uint32_t i : triangles) {
@@ -214,7 +214,7 @@ std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOption
             std::swap(squared[0], squared[2]);
         }
         const double twiceDot = squared[1] + squared[2] - squared[0];
-        if (twiceDot > 2.0 * cosineLimit * std::sqrt(squared[1]) * std::sqrt(squared[2])) {
+        if (twiceArea < 0.5 * tangentLimit * twiceDot) {
             angles.push_back({"min_angle", center,
                               std::atan2(twiceArea, 0.5 * twiceDot) * degrees, options.minAngle});
         }
