@@ -269,17 +269,21 @@ TopoDS_Compound facesOf(const OverlayResult& result, const PlaneFrame& frame)
 void writeFaces(const OverlayResult& result, const PlaneFrame& frame,
                 const std::filesystem::path& path)
 {
+    writeShape(facesOf(result, frame), path);
+}
+
+void writeShape(const TopoDS_Shape& shape, const std::filesystem::path& path)
+{
     const Silence silence;
-    const TopoDS_Compound faces = facesOf(result, frame);
     AtomicFile file(path);
     const std::string name = file.temporary().string();
     bool written = false;
     if (name.ends_with(".brep") || name.ends_with(".brp")) {
-        written = BRepTools::Write(faces, name.c_str());
+        written = BRepTools::Write(shape, name.c_str());
     }
     else {
         STEPControl_Writer writer;
-        written = writer.Transfer(faces, STEPControl_AsIs) == IFSelect_RetDone
+        written = writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone
             && writer.Write(name.c_str()) == IFSelect_RetDone;
     }
     if (!written) {

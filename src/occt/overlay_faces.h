@@ -5,6 +5,7 @@
 #include "occt/plane_frame.h"
 
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Shape.hxx>
 
 #include <filesystem>
 
@@ -21,5 +22,8 @@ TopoDS_Compound facesOf(const OverlayResult& result, const PlaneFrame& frame);
 /// Error(Unwritable).
 void writeFaces(const OverlayResult& result, const PlaneFrame& frame,
                 const std::filesystem::path& path);
+
+/// Writes any shape so.
+void writeShape(const TopoDS_Shape& shape, const std::filesystem::path& path);
 
 } // namespace tessera

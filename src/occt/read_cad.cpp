@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occt/read_cad.h"
 
+#include "occt/read_shape.h"
 #include "occt/rehearse.h"
 #include "occt/shape_network.h"
 #include "occt/silence.h"
@@ -79,6 +80,8 @@ bool endsWithMainShape(std::string_view text)
     return reference && takeLastLine(text).empty();
 }
 
+} // namespace
+
 TopoDS_Shape shapeFromBrep(const std::string& text, const std::string& name)
 {
     if (text.find("CASCADE Topology V") == std::string::npos) {
@@ -104,6 +107,9 @@ TopoDS_Shape shapeFromBrep(const std::string& text, const std::string& name)
     }
     return shape;
 }
+
+namespace
+{
 
 TopoDS_Shape shapeFromStep(const std::string& text, const std::filesystem::path& path)
 {
@@ -134,6 +140,8 @@ TopoDS_Shape shapeFromStep(const std::string& text, const std::filesystem::path&
     return shape;
 }
 
+} // namespace
+
 TopoDS_Shape shapeFromFile(const std::filesystem::path& path)
 {
     std::string extension = path.extension().string();
@@ -155,8 +163,6 @@ TopoDS_Shape shapeFromFile(const std::filesystem::path& path)
     }
     return read();
 }
-
-} // namespace
 
 CadInput readBrepText(const std::string& text, const CadOptions& options, const std::string& name)
 {
