@@ -26,6 +26,7 @@ using Command = std::function<int()>;
 /// Each adds its command and options and returns what runs it.
 Command addMeshCommand(CLI::App& program);
 Command addOverlayCommand(CLI::App& program);
+Command addImprintCommand(CLI::App& program);
 Command addCheckCommand(CLI::App& program);
 
 } // namespace tessera::cli

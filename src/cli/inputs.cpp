@@ -5,6 +5,7 @@
 #include "io/append_network.h"
 #include "io/read_network.h"
 #include "occt/read_cad.h"
+#include "occt/read_shape.h"
 
 #include <fmt/format.h>
 
@@ -50,6 +51,65 @@ InputKind kindOf(const std::string& path)
                             path));
 }
 
+void prefixNames(CurveNetwork& network, const std::string& prefix)
+{
+    for (Operand& operand : network.operands) {
+        operand.name = prefix + operand.name;
+    }
+    for (std::string& name : network.curveNames) {
+        name = prefix + name;
+    }
+    for (EmbeddedPoint& embedded : network.embedded) {
+        embedded.name = prefix + embedded.name;
+    }
+}
+
+/// A file of an imprint and its side.
+using SidedFile = std::pair<std::string, ImprintSide>;
+
+std::string stemOf(const std::string& path)
+{
+    return std::filesystem::path(path).stem().string();
+}
+
+ImprintInput readFlatImprint(const std::vector<SidedFile>& files,
+                             const std::optional<Vec3>& direction)
+{
+    if (direction && (*direction)[2] == 0.0) {
+        throw Error(ErrorKind::InvalidOption,
+                    "The direction runs along the plane of the polygons; give one that leads away "
+                    "from it.");
+    }
+    ImprintInput input;
+    for (const auto& [path, side] : files) {
+        CurveNetwork network = readNetwork(path);
+        if (kindOf(path) == InputKind::Wkt) {
+            prefixNames(network, stemOf(path) + "_");
+        }
+        input.side.insert(input.side.end(), network.operands.size(), side);
+        appendNetwork(input.network, std::move(network));
+    }
+    input.origins.resize(input.side.size());
+    return input;
+}
+
+ImprintInput readCadImprint(const std::vector<SidedFile>& files,
+                            const std::optional<Vec3>& direction)
+{
+    std::vector<ImprintShape> shapes;
+    for (const auto& [path, side] : files) {
+        ImprintShape shape {shapeFromFile(path), side};
+        shape.options.name = stemOf(path);
+        shapes.push_back(std::move(shape));
+    }
+    try {
+        return projectShapes(shapes, direction);
+    }
+    catch (const CadError& error) {
+        throw Error(error.kind(), files[error.shape()].first + ": " + error.what());
+    }
+}
+
 class InputReader
 {
 public:
@@ -70,7 +130,7 @@ public:
             inputs_.numberOfCurve.push_back(number);
         }
         if (kind == InputKind::Wkt && several_) {
-            prefixNames(network, std::filesystem::path(path).stem().string() + "_");
+            prefixNames(network, stemOf(path) + "_");
         }
         appendNetwork(inputs_.network, std::move(network));
     }
@@ -95,7 +155,7 @@ private:
         CadOptions options;
         options.plane = plane_;
         if (several_) {
-            options.name = std::filesystem::path(path).stem().string();
+            options.name = stemOf(path);
         }
         for (const std::int32_t edge : roles_.boundary) {
             addEdgeRole(options, edge, Role::Boundary);
@@ -119,19 +179,6 @@ private:
         }
     }
 
-    static void prefixNames(CurveNetwork& network, const std::string& prefix)
-    {
-        for (Operand& operand : network.operands) {
-            operand.name = prefix + operand.name;
-        }
-        for (std::string& name : network.curveNames) {
-            name = prefix + name;
-        }
-        for (EmbeddedPoint& embedded : network.embedded) {
-            embedded.name = prefix + embedded.name;
-        }
-    }
-
     const RoleLists& roles_;
     bool several_;
     Inputs inputs_;
@@ -148,6 +195,29 @@ Inputs readInputs(const std::vector<std::string>& paths, const RoleLists& roles)
         reader.read(path);
     }
     return reader.finish();
+}
+
+ImprintInput readImprint(const std::vector<std::string>& sources,
+                         const std::vector<std::string>& targets,
+                         const std::optional<Vec3>& direction)
+{
+    std::vector<SidedFile> files;
+    for (const std::string& path : sources) {
+        files.emplace_back(path, ImprintSide::Source);
+    }
+    for (const std::string& path : targets) {
+        files.emplace_back(path, ImprintSide::Target);
+    }
+    const bool cad = kindOf(files.front().first) == InputKind::Cad;
+    for (const auto& [path, side] : files) {
+        if ((kindOf(path) == InputKind::Cad) != cad) {
+            throw Error(ErrorKind::InvalidOption,
+                        fmt::format("{} and {} cannot be imprinted together; give CAD files only, "
+                                    "or .wkt and .poly only.",
+                                    files.front().first, path));
+        }
+    }
+    return cad ? readCadImprint(files, direction) : readFlatImprint(files, direction);
 }
 
 } // namespace tessera::cli

@@ -3,9 +3,11 @@
 
 #include "curve/curve_network.h"
 #include "io/role_lists.h"
+#include "occt/imprint_faces.h"
 #include "occt/plane_frame.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,5 +28,11 @@ struct Inputs
 /// the plane of the first. The lists' numbers apply to every file; one that no file has is refused.
 /// Throws Error.
 Inputs readInputs(const std::vector<std::string>& paths, const RoleLists& roles);
+
+/// Sources and targets of an imprint, all CAD files or all .wkt and .poly; those lie in one plane.
+/// Throws Error.
+ImprintInput readImprint(const std::vector<std::string>& sources,
+                         const std::vector<std::string>& targets,
+                         const std::optional<Vec3>& direction);
 
 } // namespace tessera::cli

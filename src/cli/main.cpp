@@ -101,6 +101,7 @@ int runProgram(int argc, char** argv)
     const std::vector<std::pair<std::string, Command>> commands {
         {"mesh", addMeshCommand(program)},
         {"overlay", addOverlayCommand(program)},
+        {"imprint", addImprintCommand(program)},
         {"check", addCheckCommand(program)}};
     refuseEmptyValues(program);
     try {

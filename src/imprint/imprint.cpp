@@ -301,7 +301,8 @@ private:
             for (const std::uint32_t target : members.targets) {
                 result_.cellsOfTarget[target].push_back(c);
             }
-            const double area = trueArea(overlay, c);
+            double& area = overlay.parts.parts[c].area;
+            area = trueArea(overlay, c);
             overlay.report.area += area;
             result_.cells.push_back(
                 {area, std::move(members.sources), std::move(members.targets)});
@@ -370,6 +371,25 @@ private:
 };
 
 } // namespace
+
+const char* nameOf(MismatchKind kind)
+{
+    switch (kind) {
+        case MismatchKind::SourceOverlap:
+            return "source overlap";
+        case MismatchKind::TargetOverlap:
+            return "target overlap";
+        case MismatchKind::SourceOnly:
+            return "source without target";
+        case MismatchKind::TargetOnly:
+            return "target without source";
+        case MismatchKind::Gap:
+            return "gap";
+        case MismatchKind::Sliver:
+            break;
+    }
+    return "sliver";
+}
 
 ImprintResult imprintNetwork(const CurveNetwork& network, const std::vector<ImprintSide>& side,
                              const ImprintOptions& options, Execution& execution)

@@ -62,10 +62,14 @@ struct Mismatch
     std::vector<std::uint32_t> targets;
 };
 
+/// "source overlap", "target without source", ...
+const char* nameOf(MismatchKind kind);
+
 /// The common refinement of sources and targets.
 struct ImprintResult
 {
-    /// Operation Cells; part and polygon i is cell i. Cells share every vertex and every edge.
+    /// Operation Cells; part and polygon i is cell i, areas are those on the true curves. Cells
+    /// share every vertex and every edge.
     OverlayResult overlay;
     std::vector<ImprintCell> cells;
     /// The history: by source and by target, the cells it consists of, ascending.

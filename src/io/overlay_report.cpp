@@ -54,7 +54,7 @@ Json cellList(const OverlayResult& result, BooleanOperation operation)
 
 } // namespace
 
-std::string formatReport(const OverlayResult& result, BooleanOperation operation)
+Json overlayReport(const OverlayResult& result, BooleanOperation operation)
 {
     const OverlayReport& report = result.report;
     Json json;
@@ -85,7 +85,12 @@ std::string formatReport(const OverlayResult& result, BooleanOperation operation
     json["messages"] = report.messages;
     json["seconds"] = secondsObject(report.seconds);
     json["peak_memory_bytes"] = peakMemoryBytes();
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json;
+}
+
+std::string formatReport(const OverlayResult& result, BooleanOperation operation)
+{
+    return formatJson(overlayReport(result, operation));
 }
 
 } // namespace tessera

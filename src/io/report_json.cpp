@@ -64,7 +64,7 @@ std::string formatReport(const MeshResult& result)
     json["messages"] = report.messages;
     json["seconds"] = secondsObject(report.seconds);
     json["peak_memory_bytes"] = peakMemoryBytes();
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return formatJson(json);
 }
 
 std::string formatReport(const MeshCheck& check)
@@ -83,7 +83,7 @@ std::string formatReport(const MeshCheck& check)
     json["outline_length"] = check.outlineLength;
     addQuality(json, check.quality);
     json["peak_memory_bytes"] = peakMemoryBytes();
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return formatJson(json);
 }
 
 } // namespace tessera

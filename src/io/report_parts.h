@@ -3,9 +3,12 @@
 
 // What the reports of all commands have in common.
 
+#include "imprint/overlay.h"
 #include "pipeline.h"
 
 #include <nlohmann/json.hpp>
+
+#include <string>
 
 namespace tessera
 {
@@ -37,6 +40,14 @@ inline Json secondsObject(const StageSeconds& s)
             {"triangulate", s.triangulate}, {"recover", s.recover}, {"color", s.color},
             {"refine", s.refine},     {"optimize", s.optimize}, {"extract", s.extract},
             {"write", s.write},       {"total", s.total}};
+}
+
+/// All of an overlay's report.
+Json overlayReport(const OverlayResult& result, BooleanOperation operation);
+
+inline std::string formatJson(const Json& json)
+{
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace tessera
