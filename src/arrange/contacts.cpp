@@ -123,11 +123,16 @@ private:
     {
         const double reachA = 64.0 * near_ / std::max(speedAt(s.curveA, s.a1), near_);
         const double reachB = 64.0 * near_ / std::max(speedAt(s.curveB, s.b1), near_);
-        const double shorterB = std::min(std::abs(next.b1 - next.b0), std::abs(s.b1 - s.b0));
+        const double lengthB = std::abs(s.b1 - s.b0);
+        const double nextLengthB = std::abs(next.b1 - next.b0);
+        const double shorterB = std::min(lengthB, nextLengthB);
         if ((next.b1 > next.b0) != (s.b1 > s.b0) && shorterB > reachB) {
             return false; // one of the curves turns back
         }
-        return next.a0 <= s.a1 + reachA && std::abs(next.b0 - s.b1) <= reachB + shorterB;
+        const Stretch& longer = lengthB > nextLengthB ? s : next;
+        const double gapB = longer.b1 > longer.b0 ? next.b0 - s.b1 : s.b1 - next.b0;
+        // They may overlap. A gap on B alone: both curves turn back, each at a place of its own.
+        return next.a0 <= s.a1 + reachA && gapB <= reachB && gapB >= -reachB - shorterB;
     }
 
     void finish(std::vector<Stretch>& open)
