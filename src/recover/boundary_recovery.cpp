@@ -9,13 +9,14 @@
 //     segments, correctly rounded (predicates/crossing.h). It splits the edge, or is one of its
 //     ends or the vertex at hand; or, rounded, it lies outside the two triangles beside the edge:
 //     then it is inserted wherever it falls, and the pieces of both segments are recovered again.
-// The piece between the two vertices is then recovered:
-//   Cavity   the triangles that it crosses are removed, and both polygons beside it re-meshed;
-//   Steiner  step 1: a Steiner point at every intersection of the segment with a mesh edge. Those
-//            on constrained edges are the crossings, and stay. Step 2: each of the others is
-//            deleted: the cavity it leaves is re-meshed and split along the boundary. As rounded
-//            points lie beside the line, the boundary may cross further triangles; they belong to
-//            the cavity. A point that rounding puts outside both triangles is left out of step 1.
+// The piece between the two vertices is then put in:
+//   Cavity   the triangles that it crosses are removed, and both polygons beside it re-meshed
+//            (mesh_edit.h);
+//   Steiner  a Steiner point at every intersection of the piece with a mesh edge, then each of them
+//            deleted (steiner_points.h).
+// In the paper's words: the Steiner points on boundary x boundary, which stay, are made here, the
+// others there. The strategies share every decision, and the mesh after a piece is the same up to
+// cocircular ties, whichever has put it in.
 //
 // Invariant: every vertex of a chain is the correct rounding of a true point of its segment. Since
 // rounding is monotone, a chain never goes backward in x or y, and lies within half a unit in the
@@ -23,9 +24,14 @@
 //
 // Ill-conditioned: a piece meets a constraint that the original does not cross, or crosses again;
 // an order along a segment that rounding turned over; a vertex exactly on a piece although its
-// segment does not pass it; in the end, a vertex beside a piece on the wrong side of its segment.
-// All these end the run; snap rounding takes over (snap_rounding.h). Vertices and segments whose
-// true distances exceed some units in the last place of the greatest coordinate never cause them.
+// segment does not pass it; in the end, a vertex where segments meet that cross elsewhere, or one
+// beside a piece on the wrong side of its segment. All these end the run; snap rounding takes over
+// (snap_rounding.h). Vertices and segments whose true distances exceed some units in the last place
+// of the greatest coordinate never cause them.
+//
+// Otherwise the vertices are those of the input and the rounded crossings of all pairs of segments,
+// no more and no fewer: each chain has the crossings that it should (the invariant), and lacks none,
+// as two segments that cross share a vertex (sides are true), where they cross (crossings are true).
 //
 // It ends: every step adds an incidence (segment, vertex), and there are finitely many crossings.
 // Cost: the triangles crossed by the pieces, and a constant number of flips and exact signs each.
@@ -38,7 +44,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace tessera
 {
@@ -89,11 +94,11 @@ BoundaryRecovery::BoundaryRecovery(Triangulation& mesh, std::span<const Segment>
     : mesh_(mesh)
     , segments_(segments)
     , strategy_(strategy)
-    , observer_(observer)
     , firstCrossing_(static_cast<std::uint32_t>(mesh.points.size()))
     , unscale_(unscalingFactor(mesh))
     , chains_(segments.size(), mesh.points.size())
     , edit_(mesh)
+    , steinerPoints_(mesh, edit_, report_, observer)
 {}
 
 bool BoundaryRecovery::run(Execution& execution)
@@ -102,14 +107,14 @@ bool BoundaryRecovery::run(Execution& execution)
         if (s % 64 == 0) {
             execution.report(static_cast<double>(s) / static_cast<double>(segments_.size()));
         }
-        const bool done = strategy_ == RecoveryStrategy::Steiner ? recoverWithSteinerPoints(s)
-                                                                 : recover(s);
-        if (!done) {
+        if (!recover(s)) {
             return false;
         }
     }
-    closeGaps();
-    return sidesAreTrue();
+    if (const std::vector<std::uint32_t> newName = edit_.closeGaps(); !newName.empty()) {
+        chains_.renameVertices(newName, mesh_.points.size());
+    }
+    return crossingsAreTrue() && sidesAreTrue();
 }
 
 bool BoundaryRecovery::recover(std::uint32_t s)
@@ -117,13 +122,13 @@ bool BoundaryRecovery::recover(std::uint32_t s)
     std::uint32_t from = segments_[s].a;
     chains_.append(s, from);
     while (from != segments_[s].b) {
-        const Step step = next(s, from, Stop::AtConstraint);
+        const Step step = next(s, from);
         const std::uint32_t to
             = step.kind == Step::Kind::Edge ? cross(s, from, step.edge) : step.vertex;
         if (to == from) {
             continue; // the other constraint has been led through this vertex
         }
-        if (to == kNone || !edit_.constrain(from, to)) {
+        if (to == kNone || !putIn(from, to)) {
             return false;
         }
         chains_.append(s, to);
@@ -135,7 +140,14 @@ bool BoundaryRecovery::recover(std::uint32_t s)
     return true;
 }
 
-BoundaryRecovery::Step BoundaryRecovery::next(std::uint32_t s, std::uint32_t from, Stop stop) const
+/// Makes the piece between two vertices a constrained edge. False if something is in the way.
+bool BoundaryRecovery::putIn(std::uint32_t x, std::uint32_t y)
+{
+    return strategy_ == RecoveryStrategy::Steiner ? steinerPoints_.constrain(x, y)
+                                                  : edit_.constrain(x, y);
+}
+
+BoundaryRecovery::Step BoundaryRecovery::next(std::uint32_t s, std::uint32_t from) const
 {
     const std::uint32_t target = segments_[s].b;
     const Departure departure = depart(mesh_, from, target);
@@ -158,7 +170,7 @@ BoundaryRecovery::Step BoundaryRecovery::next(std::uint32_t s, std::uint32_t fro
     }
     const Vec2 origin = mesh_.points[from];
     const Vec2 goal = mesh_.points[target];
-    while (stop == Stop::AtConstraint && !mesh_.isConstrained(edge)) {
+    while (!mesh_.isConstrained(edge)) {
         const HalfEdge entered = mesh_.twin(edge);
         const std::uint32_t apex = mesh_.apex(entered);
         if (apex == target) {
@@ -322,7 +334,7 @@ void BoundaryRecovery::countCrossing(std::uint32_t vertex, Vec2 residual)
         report_.maxDisplacement = std::max(report_.maxDisplacement, length(residual));
     }
     if (strategy_ == RecoveryStrategy::Steiner) {
-        countSteinerPoint(vertex);
+        steinerPoints_.countInserted(vertex);
     }
 }
 
@@ -360,6 +372,52 @@ bool BoundaryRecovery::touches(std::uint32_t x, std::uint32_t y, std::uint32_t z
         }
     });
     return !uses_.empty();
+}
+
+/// Whether segments that share a vertex cross there, if they cross at all. Otherwise three that
+/// meet almost in one point have been led through one vertex, or through two or three, as their
+/// order would have it.
+bool BoundaryRecovery::crossingsAreTrue() const
+{
+    std::vector<std::uint32_t> all;
+    std::vector<std::uint32_t> rounded;
+    for (std::uint32_t v = 1; v < chains_.vertexCount(); ++v) {
+        if (chains_.degree(v) < 2 || (!isInput(v) && chains_.degree(v) == 2)) {
+            continue; // at a crossing of two it is the one
+        }
+        all.clear();
+        rounded.clear();
+        chains_.forEachAt(v, [&](std::uint32_t, std::uint32_t s, std::uint32_t previous,
+                                 std::uint32_t next) {
+            const bool isEnd = previous == kNone || next == kNone;
+            if (!isInput(v) || (!isEnd && !onLine(s, v))) {
+                rounded.push_back(s);
+            }
+            all.push_back(s);
+        });
+        for (const std::uint32_t s : rounded) {
+            for (const std::uint32_t other : all) {
+                if (s != other && !meetHere(s, other, v)) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+/// Whether the two segments lie on one line or cross at the vertex; at an input vertex, or do not
+/// meet in one point.
+bool BoundaryRecovery::meetHere(std::uint32_t s, std::uint32_t other, std::uint32_t vertex) const
+{
+    const Vec2 a = start(s);
+    const Vec2 b = end(s);
+    const Vec2 c = start(other);
+    const Vec2 d = end(other);
+    if (!meetInPoint(a, b, c, d)) {
+        return isInput(vertex) || (orient2d(a, b, c) == 0 && orient2d(a, b, d) == 0);
+    }
+    return crossLines(a, b, c, d).point == mesh_.points[vertex];
 }
 
 /// Whether every vertex next to a constrained edge is on the side of its segments where it truly
@@ -409,37 +467,6 @@ bool BoundaryRecovery::apexIsTrue(HalfEdge edge) const
         isTrue = isTrue && side == (use.forward ? 1 : -1);
     });
     return isTrue;
-}
-
-/// Moves the last vertices into the places of removed ones.
-void BoundaryRecovery::closeGaps()
-{
-    std::vector<std::uint32_t> gaps = edit_.takeFreeVertices();
-    if (gaps.empty()) {
-        return;
-    }
-    std::sort(gaps.begin(), gaps.end());
-    std::vector<std::uint32_t> newName(mesh_.points.size());
-    std::iota(newName.begin(), newName.end(), 0U);
-    std::size_t next = 0;
-    while (next < gaps.size()) {
-        const auto last = static_cast<std::uint32_t>(mesh_.points.size() - 1);
-        if (gaps.back() == last) {
-            gaps.pop_back();
-        }
-        else {
-            const std::uint32_t gap = gaps[next++];
-            mesh_.forEachAround(last, [&](HalfEdge h) {
-                mesh_.triangles[h >> 2].v[Topology::next3(h & 3U)] = gap;
-            });
-            mesh_.points[gap] = mesh_.points[last];
-            mesh_.incident[gap] = mesh_.incident[last];
-            newName[last] = gap;
-        }
-        mesh_.points.pop_back();
-        mesh_.incident.pop_back();
-    }
-    chains_.renameVertices(newName, mesh_.points.size());
 }
 
 } // namespace tessera

@@ -6,6 +6,7 @@
 #include "recover/chains.h"
 #include "recover/mesh_edit.h"
 #include "recover/recover.h"
+#include "recover/steiner_points.h"
 
 #include <cstdint>
 #include <span>
@@ -49,15 +50,9 @@ private:
         std::uint32_t vertex = kNone;
         HalfEdge edge = Topology::kDead;
     };
-    /// How far the walk goes: to constrained edges, or to the first edge whatever it is.
-    enum class Stop
-    {
-        AtConstraint,
-        AtAnyEdge,
-    };
-
     bool recover(std::uint32_t s);
-    Step next(std::uint32_t s, std::uint32_t from, Stop stop) const;
+    bool putIn(std::uint32_t x, std::uint32_t y);
+    Step next(std::uint32_t s, std::uint32_t from) const;
     Step atVertex(std::uint32_t s, std::uint32_t vertex) const;
     std::uint32_t cross(std::uint32_t s, std::uint32_t from, HalfEdge edge);
     bool findCrossing(std::uint32_t s, HalfEdge edge, Crossing& crossing);
@@ -67,9 +62,10 @@ private:
     void countCrossing(std::uint32_t vertex, Vec2 residual);
     bool pickUpTouches(std::uint32_t x, std::uint32_t y);
     bool touches(std::uint32_t x, std::uint32_t y, std::uint32_t z);
+    bool crossingsAreTrue() const;
+    bool meetHere(std::uint32_t s, std::uint32_t other, std::uint32_t vertex) const;
     bool sidesAreTrue() const;
     bool apexIsTrue(HalfEdge edge) const;
-    void closeGaps();
 
     bool passesThrough(std::uint32_t s, std::uint32_t crossingVertex) const;
     bool onLine(std::uint32_t s, std::uint32_t vertex) const;
@@ -80,32 +76,16 @@ private:
     Vec2 start(std::uint32_t s) const { return mesh_.points[segments_[s].a]; }
     Vec2 end(std::uint32_t s) const { return mesh_.points[segments_[s].b]; }
 
-    // steiner_points.cpp
-    bool recoverWithSteinerPoints(std::uint32_t s);
-    bool insertSteinerPoints(std::uint32_t s);
-    bool insertSteinerPoint(std::uint32_t s, std::uint32_t from, HalfEdge edge);
-    bool removeSteinerPoints(std::uint32_t s);
-    void removeSteinerPointsBetween(std::size_t first, std::size_t last);
-    void constrainIfThere(std::uint32_t x, std::uint32_t y);
-    void countSteinerPoint(std::uint32_t vertex);
-
     Triangulation& mesh_;
     std::span<const Segment> segments_;
     RecoveryStrategy strategy_;
-    RecoveryObserver* observer_;
     std::uint32_t firstCrossing_;
     double unscale_; ///< brings the greatest coordinate to about 1
     Chains chains_;
     MeshEdit edit_;
     RecoveryReport report_;
+    SteinerPoints steinerPoints_;
     std::vector<Chains::Use> uses_; ///< the pieces that a new vertex goes into
-
-    struct WayPoint
-    {
-        std::uint32_t vertex;
-        bool kept; ///< false: a Steiner point to be removed
-    };
-    std::vector<WayPoint> way_;
 };
 
 } // namespace tessera

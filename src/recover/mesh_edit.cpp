@@ -5,6 +5,7 @@
 #include "predicates/predicates.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace tessera
@@ -391,9 +392,34 @@ MeshEdit::Open MeshEdit::border(HalfEdge inner) const
             mesh_.isConstrained(inner)};
 }
 
-std::vector<std::uint32_t> MeshEdit::takeFreeVertices()
+std::vector<std::uint32_t> MeshEdit::closeGaps()
 {
-    return std::exchange(freeVertices_, {});
+    std::vector<std::uint32_t> gaps = std::exchange(freeVertices_, {});
+    if (gaps.empty()) {
+        return {};
+    }
+    std::sort(gaps.begin(), gaps.end());
+    std::vector<std::uint32_t> newName(mesh_.points.size());
+    std::iota(newName.begin(), newName.end(), 0U);
+    std::size_t next = 0;
+    while (next < gaps.size()) {
+        const auto last = static_cast<std::uint32_t>(mesh_.points.size() - 1);
+        if (gaps.back() == last) {
+            gaps.pop_back();
+        }
+        else {
+            const std::uint32_t gap = gaps[next++];
+            mesh_.forEachAround(last, [&](HalfEdge h) {
+                mesh_.triangles[h >> 2].v[Topology::next3(h & 3U)] = gap;
+            });
+            mesh_.points[gap] = mesh_.points[last];
+            mesh_.incident[gap] = mesh_.incident[last];
+            newName[last] = gap;
+        }
+        mesh_.points.pop_back();
+        mesh_.incident.pop_back();
+    }
+    return newName;
 }
 
 std::uint32_t MeshEdit::takeVertex(Vec2 p)

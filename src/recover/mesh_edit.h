@@ -74,8 +74,9 @@ public:
     /// While postponed, the operations do not restore the Delaunay property; ending that does.
     void postpone(bool on);
 
-    /// The vertices that were removed and have not been used again; forgets them.
-    std::vector<std::uint32_t> takeFreeVertices();
+    /// Moves the last vertices into the places of those that were removed and have not been used
+    /// again. Returns the new name of each vertex; nothing if there are no such places.
+    std::vector<std::uint32_t> closeGaps();
 
 private:
     struct Side

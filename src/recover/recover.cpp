@@ -4,15 +4,17 @@
 //
 //   no triangles    all vertices on one line: chains by sorting along it
 //   otherwise       the fast path (boundary_recovery.h); where that finds the input
-//                   ill-conditioned, snap rounding (snap_rounding.h) of the whole input and the
-//                   fast path on its pieces, which meet at vertices only
+//                   ill-conditioned, snap rounding (snap_rounding.h) of the whole input, whose
+//                   pieces meet at vertices only
 
 #include "recover/recover.h"
 
 #include "delaunay/delaunay.h"
 #include "recover/boundary_recovery.h"
 #include "recover/constraint_map.h"
+#include "recover/mesh_edit.h"
 #include "recover/snap_rounding.h"
+#include "recover/steiner_points.h"
 
 #include <algorithm>
 #include <numeric>
@@ -131,52 +133,30 @@ bool recoverExactly(RecoveryResult& result, std::span<const Segment> segments, C
     return true;
 }
 
-/// The different pieces of all chains.
-std::vector<Segment> piecesOf(const Chains& chains)
+/// The pieces of snapped chains meet at vertices only: there is nothing to follow, and each goes
+/// straight into the mesh.
+void putInPieces(RecoveryResult& result, const Chains& chains, RecoveryStrategy strategy,
+                 Execution& execution, RecoveryObserver* observer)
 {
-    std::vector<ConstraintEnds> pieces;
+    MeshEdit edit(result.triangulation);
+    SteinerPoints steinerPoints(result.triangulation, edit, result.report, observer);
+    bool done = true;
     for (std::uint32_t s = 0; s < chains.segmentCount(); ++s) {
+        execution.checkpoint();
         std::uint32_t before = Topology::kInfinite;
         chains.forEachVertex(s, [&](std::uint32_t v) {
             if (before != Topology::kInfinite) {
-                pieces.push_back({before, v});
+                done = done
+                    && (strategy == RecoveryStrategy::Steiner ? steinerPoints.constrain(before, v)
+                                                              : edit.constrain(before, v));
             }
             before = v;
         });
     }
-    return SegmentTable(pieces, chains.vertexCount()).segments;
-}
-
-/// The pieces of snapped chains meet at vertices only; so with the strategy Cavity there is nothing
-/// to follow, and each goes straight into the mesh.
-void recoverPieces(RecoveryResult& result, const Chains& chains, RecoveryStrategy strategy,
-                   Execution& execution, RecoveryObserver* observer)
-{
-    bool done = true;
-    if (strategy == RecoveryStrategy::Cavity) {
-        MeshEdit edit(result.triangulation);
-        for (std::uint32_t s = 0; s < chains.segmentCount(); ++s) {
-            execution.checkpoint();
-            std::uint32_t before = Topology::kInfinite;
-            chains.forEachVertex(s, [&](std::uint32_t v) {
-                done = done && (before == Topology::kInfinite || edit.constrain(before, v));
-                before = v;
-            });
-        }
-    }
-    else {
-        // Vertices a pixel apart may leave no double for a Steiner point between them, which the
-        // other strategy does without.
-        Chains ofPieces;
-        Triangulation before = result.triangulation;
-        if (!recoverExactly(result, piecesOf(chains), ofPieces, strategy, execution, observer)) {
-            result.triangulation = std::move(before);
-            recoverPieces(result, chains, RecoveryStrategy::Cavity, execution, observer);
-        }
-    }
     if (!done) {
         throw std::logic_error("Snap rounding: pieces cross.");
     }
+    edit.closeGaps(); // no Steiner point has stayed, so that no vertex gets another name
 }
 
 /// Snap rounding of the input points, and of the segments between them.
@@ -200,7 +180,7 @@ Chains recoverSnapped(RecoveryResult& result, std::span<const Segment> segments,
     snapped.chains.renameVertices(vertexOfPoint, mesh.points.size());
     result.report = {};
     if (!mesh.triangles.empty()) {
-        recoverPieces(result, snapped.chains, strategy, execution, observer);
+        putInPieces(result, snapped.chains, strategy, execution, observer);
     }
     result.firstCrossing = static_cast<std::uint32_t>(snapped.inputCount + 1);
     result.report.crossings = crossings;

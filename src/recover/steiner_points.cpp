@@ -1,123 +1,98 @@
 // SPDX-License-Identifier: MIT
 
-// The paper's own way to recover a boundary, in its two steps (see boundary_recovery.cpp).
+// A missing piece of boundary in the paper's two steps (section 2).
+//
+//   Step 1  a Steiner point at every intersection of the piece with a mesh edge. The edge is split,
+//           and the point joined to both vertices opposite to it.
+//   Step 2  each point is deleted again: the cavity that it leaves is re-meshed and split along the
+//           boundary. As a rounded point lies beside the line, the boundary may cross further
+//           triangles; they belong to the cavity.
+//
+// The piece runs between two vertices that stay: boundary_recovery.cpp cuts a boundary where it
+// meets others. So none of the edges here is on a boundary, and none of the points stays.
+//
+// Guarantees: Step 1 ends early where rounding leaves no room for a point on its edge (four
+// counter-clockwise triangles), or where the next one would not be farther along the piece; so
+// every point makes progress. Step 2 leaves the vertices and the constrained edges that were there
+// before. Whether the piece can be put in then depends on them alone, and is decided, and done if
+// need be, by MeshEdit::constrain(): that is why both strategies always agree.
+// Cost: that of the cavities. The points are deleted in the order of halving, each when those
+// beside it are its neighbors in turn: one after the other would make ever longer pieces.
+
+#include "recover/steiner_points.h"
 
 #include "predicates/crossing.h"
 #include "predicates/predicates.h"
-#include "recover/boundary_recovery.h"
-
-#include <vector>
 
 namespace tessera
 {
 
-bool BoundaryRecovery::recoverWithSteinerPoints(std::uint32_t s)
+bool SteinerPoints::constrain(std::uint32_t x, std::uint32_t y)
 {
-    chains_.append(s, segments_[s].a);
-    way_.assign(1, {segments_[s].a, true});
-    edit_.postpone(true);
-    const bool done = insertSteinerPoints(s) && removeSteinerPoints(s);
-    edit_.postpone(false);
-    if (!done) {
+    if (edgeBetween(mesh_, x, y) == Topology::kDead) {
+        edit_.postpone(true);
+        insertBetween(x, y);
+        removeBetween(0, way_.size() - 1);
+        edit_.postpone(false);
+    }
+    return edit_.constrain(x, y);
+}
+
+/// Step 1. Fills way_.
+void SteinerPoints::insertBetween(std::uint32_t x, std::uint32_t y)
+{
+    way_.assign(1, x);
+    while (insertNext(x, y)) {
+        constrainIfThere(way_[way_.size() - 2], way_.back());
+    }
+    way_.push_back(y);
+}
+
+/// Where the way from the last point to the end crosses an edge. False: there is none to be made.
+bool SteinerPoints::insertNext(std::uint32_t x, std::uint32_t y)
+{
+    const Departure departure = depart(mesh_, way_.back(), y);
+    if (departure.kind != Departure::Kind::Across || mesh_.isConstrained(departure.edge)) {
         return false;
     }
-    for (std::size_t i = 1; i < way_.size(); ++i) {
-        if (!pickUpTouches(way_[i - 1].vertex, way_[i].vertex)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// Step 1. Fills way_ from the segment's start to its end.
-bool BoundaryRecovery::insertSteinerPoints(std::uint32_t s)
-{
-    while (way_.back().vertex != segments_[s].b) {
-        const std::uint32_t from = way_.back().vertex;
-        Step step = next(s, from, Stop::AtAnyEdge);
-        if (step.kind == Step::Kind::Edge && !mesh_.isConstrained(step.edge)) {
-            if (insertSteinerPoint(s, from, step.edge)) {
-                continue;
-            }
-            step = next(s, from, Stop::AtConstraint);
-        }
-        const std::uint32_t to
-            = step.kind == Step::Kind::Edge ? cross(s, from, step.edge) : step.vertex;
-        if (to == kNone) {
-            return false;
-        }
-        if (to != from) {
-            constrainIfThere(from, to);
-            way_.push_back({to, true});
-        }
-        else if (!way_.back().kept) {
-            way_.back().kept = true;
-            ++report_.crossings;
-        }
-    }
-    return true;
-}
-
-/// A Steiner point on an edge that is not constrained. False if its rounding does not fit there.
-bool BoundaryRecovery::insertSteinerPoint(std::uint32_t s, std::uint32_t from, HalfEdge edge)
-{
-    const Vec2 u = mesh_.points[mesh_.origin(edge)];
-    const Vec2 v = mesh_.points[mesh_.destination(edge)];
-    if (orient2d(start(s), end(s), u) * orient2d(start(s), end(s), v) >= 0) {
+    const Vec2 from = mesh_.points[x];
+    const Vec2 to = mesh_.points[y];
+    const Vec2 u = mesh_.points[mesh_.origin(departure.edge)];
+    const Vec2 v = mesh_.points[mesh_.destination(departure.edge)];
+    if (orient2d(from, to, u) * orient2d(from, to, v) >= 0) {
         return false;
     }
-    const Vec2 p = crossLines(start(s), end(s), u, v).point;
-    if (p == end(s) || !edit_.splitsEdge(edge, p)) {
+    const Vec2 p = crossLines(from, to, u, v).point;
+    if (!(compareAlong(from, to, p, mesh_.points[way_.back()]) > 0)
+        || !(compareAlong(from, to, p, to) < 0) || !edit_.splitsEdge(departure.edge, p)) {
         return false;
     }
-    const std::uint32_t vertex = edit_.splitEdge(edge, p);
-    constrainIfThere(from, vertex);
-    way_.push_back({vertex, false});
-    countSteinerPoint(vertex);
+    way_.push_back(edit_.splitEdge(departure.edge, p));
+    countInserted(way_.back());
     return true;
 }
 
-/// Step 2. Leaves only the kept vertices in way_, joined by constrained edges, and appends them to
-/// the segment's chain.
-bool BoundaryRecovery::removeSteinerPoints(std::uint32_t s)
-{
-    std::size_t first = 0;
-    for (std::size_t i = 1; i < way_.size(); ++i) {
-        if (way_[i].kept) {
-            removeSteinerPointsBetween(first, i);
-            if (!edit_.constrain(way_[first].vertex, way_[i].vertex)) {
-                return false;
-            }
-            chains_.append(s, way_[i].vertex);
-            first = i;
-        }
-    }
-    std::erase_if(way_, [](const WayPoint& point) { return !point.kept; });
-    return true;
-}
-
-/// Removes all points between two of the way, each when those beside it are its neighbors in turn:
-/// halving keeps the cavities small, where one after the other would make ever longer pieces.
-void BoundaryRecovery::removeSteinerPointsBetween(std::size_t first, std::size_t last)
+/// Step 2, for all points between two of the way.
+void SteinerPoints::removeBetween(std::size_t first, std::size_t last)
 {
     if (last - first < 2) {
         return;
     }
     const std::size_t middle = first + (last - first) / 2;
-    removeSteinerPointsBetween(first, middle);
-    removeSteinerPointsBetween(middle, last);
-    const std::uint32_t vertex = way_[middle].vertex;
+    removeBetween(first, middle);
+    removeBetween(middle, last);
+    const std::uint32_t vertex = way_[middle];
     mesh_.forEachAround(vertex, [this](HalfEdge h) { mesh_.setConstrained(h, false); });
     edit_.removeVertex(vertex);
     // Where rounding puts something in the way of this piece, a longer one does without it.
-    edit_.constrain(way_[first].vertex, way_[last].vertex);
+    edit_.constrain(way_[first], way_[last]);
     ++report_.steinerRemoved;
     if (observer_ != nullptr) {
         observer_->steinerRemoved(mesh_, vertex);
     }
 }
 
-void BoundaryRecovery::constrainIfThere(std::uint32_t x, std::uint32_t y)
+void SteinerPoints::constrainIfThere(std::uint32_t x, std::uint32_t y)
 {
     const HalfEdge edge = edgeBetween(mesh_, x, y);
     if (edge != Topology::kDead) {
@@ -125,7 +100,7 @@ void BoundaryRecovery::constrainIfThere(std::uint32_t x, std::uint32_t y)
     }
 }
 
-void BoundaryRecovery::countSteinerPoint(std::uint32_t vertex)
+void SteinerPoints::countInserted(std::uint32_t vertex)
 {
     ++report_.steinerInserted;
     if (observer_ != nullptr) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 // Any bytes are an input: points and segments between them, triangulated, recovered by both
-// strategies, verified and compared; with small integers also against an exact count. A finding is
-// a property that does not hold, a sanitizer report or a hang.
+// strategies, verified and compared. The strategies must agree on whether the input is
+// ill-conditioned, and on the mesh up to cocircular ties; where it is not, the vertices must be those
+// of the input and the rounded crossings of all pairs; with small integers, as many as an exact
+// count has. A finding is a property that does not hold, a sanitizer report or a hang.
 //
 // Byte 0: bits 0-2 the kind of coordinates (see coordinate()), bits 3-7 the number of points. Then
 // the points, then segments as pairs of point numbers.
@@ -12,6 +14,7 @@
 #include "base/error.h"
 #include "delaunay/delaunay.h"
 #include "property/integer_arrangement.h"
+#include "property/rounded_arrangement.h"
 #include "property/same_mesh.h"
 #include "recover/recover.h"
 
@@ -123,14 +126,20 @@ void check(const test::RawPslg& raw, bool integers)
     }
     const RecoveryResult cavity = recover(delaunay, ends, RecoveryStrategy::Cavity);
     const RecoveryResult steiner = recover(delaunay, ends, RecoveryStrategy::Steiner);
-    if (cavity.report.snapPixel == steiner.report.snapPixel) {
-        const std::string difference
-            = test::meshDifference(cavity.triangulation, steiner.triangulation);
-        require(difference.empty(), difference.c_str());
+    require(cavity.report.snapPixel == steiner.report.snapPixel,
+            "The strategies disagree on the condition of the input.");
+    const std::string difference
+        = test::meshDifference(cavity.triangulation, steiner.triangulation);
+    require(difference.empty(), difference.c_str());
+    if (cavity.report.snapPixel == 0.0) {
+        std::vector<Vec2> vertices(cavity.triangulation.points.begin() + 1,
+                                   cavity.triangulation.points.end());
+        test::sortUnique(vertices);
+        require(vertices == test::roundedArrangement(raw),
+                "Not the input and the rounded crossings.");
     }
     if (integers) {
-        require(cavity.report.snapPixel == 0.0 && steiner.report.snapPixel == 0.0,
-                "Integers are not ill-conditioned.");
+        require(cavity.report.snapPixel == 0.0, "Integers are not ill-conditioned.");
         require(cavity.triangulation.vertexCount() == test::integerArrangement(raw).size(),
                 "Not the vertices of the exact arrangement.");
     }
