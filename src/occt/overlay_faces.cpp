@@ -32,6 +32,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -270,6 +271,13 @@ void writeFaces(const OverlayResult& result, const PlaneFrame& frame,
                 const std::filesystem::path& path)
 {
     writeShape(facesOf(result, frame), path);
+}
+
+std::string brepOf(const TopoDS_Shape& shape)
+{
+    std::ostringstream text;
+    BRepTools::Write(shape, text);
+    return text.str();
 }
 
 void writeShape(const TopoDS_Shape& shape, const std::filesystem::path& path)

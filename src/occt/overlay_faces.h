@@ -8,6 +8,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <filesystem>
+#include <string>
 
 namespace tessera
 {
@@ -22,6 +23,9 @@ TopoDS_Compound facesOf(const OverlayResult& result, const PlaneFrame& frame);
 /// Error(Unwritable).
 void writeFaces(const OverlayResult& result, const PlaneFrame& frame,
                 const std::filesystem::path& path);
+
+/// The text of a .brep file with a shape.
+std::string brepOf(const TopoDS_Shape& shape);
 
 /// Writes any shape so.
 void writeShape(const TopoDS_Shape& shape, const std::filesystem::path& path);

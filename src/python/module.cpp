@@ -2,6 +2,7 @@
 // The native half of the Python package: what needs C++. Users import tessera, which checks their
 // arguments and gives the results a Python face.
 #include "curve/curve_network.h"
+#include "python/imprint_result.h"
 #include "python/local_sizes.h"
 #include "python/mesh_result.h"
 #include "python/network_input.h"
@@ -65,6 +66,7 @@ void defineInput(py::module_& module)
              py::arg("markers"), py::arg("name"), py::arg("roles"))
         .def("add_polygon", &NetworkInput::addPolygon, py::arg("rings"), py::arg("name"),
              py::arg("role"))
+        .def("join_operands", &NetworkInput::joinOperands)
         .def("curves_of", &NetworkInput::curvesOf, py::arg("source"), py::arg("number"))
         .def("operands_of", &NetworkInput::operandsOf, py::arg("source"))
         .def("to_plane", &NetworkInput::toPlane, py::arg("point"))
@@ -129,6 +131,7 @@ PYBIND11_MODULE(_tessera, module)
     defineRun(module);
     defineErrors(module);
     defineOverlay(module);
+    defineImprint(module);
     defineFiles(module);
     // Errors outside a run (writing a file): no names to give.
     py::register_exception_translator([](std::exception_ptr pointer) {

@@ -75,7 +75,7 @@ private:
 
 void NetworkInput::beginSource(const std::string& kind, std::vector<std::string> elements)
 {
-    sources_.push_back({network_.curves.size(), kind, std::move(elements)});
+    sources_.push_back({network_.curves.size(), network_.operands.size(), kind, std::move(elements)});
 }
 
 PlaceName NetworkInput::nameOf(std::size_t source, std::uint32_t number) const
@@ -89,6 +89,31 @@ PlaceName NetworkInput::nameOf(std::size_t source, std::uint32_t number) const
     name.element = std::move(element);
     name.source = static_cast<std::int64_t>(source);
     return name;
+}
+
+void NetworkInput::joinOperands()
+{
+    std::vector<OperandId> joined(network_.operands.size());
+    std::vector<Operand> operands;
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        const std::size_t first = sources_[i].firstOperand;
+        const std::size_t end =
+            i + 1 < sources_.size() ? sources_[i + 1].firstOperand : joined.size();
+        for (std::size_t o = first; o < end; ++o) {
+            joined[o] = OperandId(operands.size());
+        }
+        sources_[i].firstOperand = operands.size();
+        if (first < end) {
+            operands.push_back(network_.operands[first]);
+        }
+    }
+    for (NetworkCurve& curve : network_.curves) {
+        curve.operand = joined[curve.operand.index()];
+    }
+    for (EmbeddedPoint& point : network_.embedded) {
+        point.operand = joined[point.operand.index()];
+    }
+    network_.operands = std::move(operands); // arrays and shapes have no holes or regions
 }
 
 std::vector<std::uint32_t> NetworkInput::curvesOf(std::size_t source, std::int64_t number) const
@@ -166,6 +191,7 @@ void NetworkInput::addShapes(const std::vector<Shape>& shapes, bool flat)
     }
     const std::size_t firstSource = sources_.size();
     const std::size_t before = network_.curves.size();
+    const std::size_t operandsBefore = network_.operands.size();
     try {
         std::vector<CadInput> inputs;
         {
@@ -182,7 +208,7 @@ void NetworkInput::addShapes(const std::vector<Shape>& shapes, bool flat)
     catch (const CadError& error) {
         sources_.resize(firstSource);
         for (const Shape& shape : shapes) {
-            sources_.push_back({before, "Edge", shape.elements});
+            sources_.push_back({before, operandsBefore, "Edge", shape.elements});
         }
         std::vector<PlaceName> names;
         for (const CadPlace& place : error.where()) {

@@ -51,6 +51,10 @@ public:
     /// boundary rings, or constraints. Raises Python errors.
     void addPolygon(const std::vector<Coordinates>& rings, const std::string& name, Role role);
 
+    /// Makes one operand of each source, whatever number of faces it has. Where two of its faces
+    /// share a border, even-odd takes it away.
+    void joinOperands();
+
     /// Ids of the curves that came from an edge or segment of a source (counted in the order of
     /// adding, all shapes of one call one by one); from any of it if number is negative.
     std::vector<std::uint32_t> curvesOf(std::size_t source, std::int64_t number) const;
@@ -70,6 +74,7 @@ private:
     struct Source
     {
         std::size_t firstCurve;
+        std::size_t firstOperand;
         std::string kind; ///< "Edge", "Segment"
         std::vector<std::string> elements;
     };

@@ -7,6 +7,7 @@
 #include "io/overlay_files.h"
 #include "io/overlay_report.h"
 #include "io/read_network.h"
+#include "occt/overlay_faces.h"
 #include "python/network_input.h"
 #include "python/progress_bridge.h"
 #include "vtk/mesh_file.h"
@@ -118,6 +119,11 @@ py::list curvesOf(const OverlayHolder& holder, std::size_t part)
 void write(const OverlayHolder& holder, const std::string& path)
 {
     const std::string extension = extensionOf(path);
+    if (extension == ".brep" || extension == ".brp" || extension == ".step"
+        || extension == ".stp") {
+        writeFaces(holder.result, holder.frame, path);
+        return;
+    }
     if (extension != ".wkt" && extension != ".poly") {
         writeMesh(meshOf(holder.result), path, &holder.result.input);
         return;
@@ -156,6 +162,11 @@ void defineOverlay(py::module_& module)
         .def("part", &partOf, py::arg("index"))
         .def("curves", &curvesOf, py::arg("index"))
         .def("write", &write, py::arg("path"), py::call_guard<py::gil_scoped_release>())
+        .def("brep",
+             [](const OverlayHolder& holder) {
+                 const py::gil_scoped_release release;
+                 return brepOf(facesOf(holder.result, holder.frame));
+             })
         .def_property_readonly("wkt",
                                [](const OverlayHolder& holder) {
                                    return formatWkt(holder.result, holder.operation);

@@ -6,6 +6,7 @@
     mesh.nodes, mesh.triangles, mesh.groups, mesh.report
     mesh.to_fem(), mesh.write("a.vtu"), mesh.plot("a.png")
     tessera.overlay([a, b, c]).union()         # Booleans of any number of operands
+    tessera.imprint(sources, targets).table    # which source piece lies on which target
 
 Works the same in a FreeCAD macro, in FreeCAD's command line and in plain Python, where FreeCAD is
 not needed for arrays. Errors are subclasses of tessera.Error.
@@ -29,7 +30,9 @@ from tessera.errors import (
 _LAZY = {
     "mesh": ("tessera.meshing", "mesh"),
     "overlay": ("tessera.overlaying", "overlay"),
+    "imprint": ("tessera.imprinting", "imprint"),
     "Mesh": ("tessera.result", "Mesh"),
+    "Imprint": ("tessera.imprinting", "Imprint"),
     "Overlay": ("tessera.overlaying", "Overlay"),
     "Execution": ("tessera.meshing", "Execution"),
     "__version__": ("tessera.meshing", "VERSION"),
@@ -39,6 +42,7 @@ __all__ = [
     "CancelledError",
     "Error",
     "Execution",
+    "Imprint",
     "InvalidInputError",
     "InvalidOptionError",
     "Mesh",
@@ -49,6 +53,7 @@ __all__ = [
     "TooLargeError",
     "UnreadableError",
     "UnwritableError",
+    "imprint",
     "mesh",
     "overlay",
 ]

@@ -7,6 +7,7 @@ import os
 import numpy as np
 
 from tessera.errors import InvalidOptionError
+from tessera.imprinting import shape_from
 from tessera.meshing import _FILLS, _RECOVERIES, Execution, _choice, _not_negative, _positive
 from tessera.native import module as native
 from tessera.sources import Prepared, prepare
@@ -47,6 +48,7 @@ class Polygons:
 
     def __init__(self, data, base):
         self._data = data
+        self._base = base
         self._items = [Polygon(data, index) for index in range(len(data))]
         self.report = json.loads(data.report)
         self.area = self.report["area"]
@@ -58,13 +60,28 @@ class Polygons:
     def __getitem__(self, index):
         return self._items[index]
 
+    def to_shape(self):
+        """A Part.Compound with a face for each polygon, in order, bounded by the original curves
+        trimmed: an arc stays an arc. Neighbors share edges and vertices. Needs FreeCAD."""
+        shape = shape_from(self._data.brep())
+        if not np.array_equal(self._base, np.eye(4)):
+            import FreeCAD
+
+            matrix = FreeCAD.Matrix(*self._base.ravel().tolist())
+            shape.Placement = FreeCAD.Placement(matrix).multiply(shape.Placement)
+        return shape
+
+    def to_faces(self):
+        """[Part.Face], one for each polygon, in order."""
+        return self.to_shape().Faces
+
     @property
     def wkt(self):
         """Well-known text: one geometry, or a line for each cell or owner."""
         return self._data.wkt
 
     def write(self, path):
-        """Writes .wkt or .poly, or the triangles in any format of tessera.Mesh.write()."""
+        """Writes .wkt or .poly, faces as .brep or .step in the frame of the first sketch, or the triangles in any format of tessera.Mesh.write()."""
         self._data.write(os.fspath(path))
 
 
@@ -108,6 +125,13 @@ class Overlay:
         return self.cells.report.get("theta")
 
 
+def prepare_overlay(sources):
+    """Reads the sources, each as one operand, for a run that must not look at the document."""
+    prepared = prepare(sources, False, (), ())
+    prepared.network.join_operands()
+    return prepared
+
+
 def overlay(
     sources,
     *,
@@ -121,7 +145,8 @@ def overlay(
 ):
     """Boolean operations on sketches, planar shapes or arrays; returns a tessera.Overlay.
 
-    sources      a list of sources of one kind as tessera.mesh() takes them: each is one operand.
+    sources      a list of sources of one kind as tessera.mesh() takes them: each is one operand,
+                 whatever number of faces it has; or what prepare_overlay() made of it.
     fill         what is inside an operand: "even-odd", "nonzero", "positive", "negative", "all".
     weld         ends of curves closer than this become one; None: 0 for arrays, the CAD tolerance
                  for shapes.
@@ -138,7 +163,7 @@ def overlay(
     options.recovery = _choice("recovery", recovery, _RECOVERIES)
     if progress is not None and not callable(progress):
         raise InvalidOptionError("progress must be a function of (fraction, stage).")
-    prepared = sources if isinstance(sources, Prepared) else prepare(sources, False, (), ())
+    prepared = sources if isinstance(sources, Prepared) else prepare_overlay(sources)
 
     def run(operation, priority):
         options.operation = native.BooleanOperation.__members__[operation]
