@@ -119,6 +119,8 @@ int runOverlay(const OverlayArguments& a)
     options.fill = a.fill;
     options.recovery = a.recovery;
     options.weld = a.weld.value_or(inputs.defaultWeld);
+    const std::string extension = extensionOf(a.output);
+    options.triangles = extension != ".wkt" && !isFaceExtension(extension);
     const double read = clock.seconds();
     OverlayResult result = overlayNetwork(std::move(inputs.network), options, execution,
                                           stages.get());

@@ -81,12 +81,14 @@ private:
     void checkCurve(std::size_t index, const NetworkCurve& curve)
     {
         const auto id = static_cast<std::uint32_t>(index);
-        const std::string who = "Curve " + std::to_string(index);
+        const auto about = [index](const char* what) {
+            return "Curve " + std::to_string(index) + what;
+        };
         if (!pointExists(curve.start) || !pointExists(curve.end)) {
-            add(who + " ends at a point that does not exist.", {}, id);
+            add(about(" ends at a point that does not exist."), {}, id);
         }
         if (curve.operand.index() >= network_.operands.size()) {
-            add(who + " belongs to an operand that does not exist.", positionOf(curve.start), id);
+            add(about(" belongs to an operand that does not exist."), positionOf(curve.start), id);
         }
         if (!curve.geometry) {
             return;
@@ -94,11 +96,11 @@ private:
         const double first = curve.geometry->first();
         const double last = curve.geometry->last();
         if (!std::isfinite(first) || !std::isfinite(last) || !(first < last)) {
-            add(who + " has no finite parameter range.", positionOf(curve.start), id);
+            add(about(" has no finite parameter range."), positionOf(curve.start), id);
         }
         else if (!isFinite(curve.geometry->point(first))
                  || !isFinite(curve.geometry->point(last))) {
-            add(who + " has an end that is not finite.", positionOf(curve.start), id);
+            add(about(" has an end that is not finite."), positionOf(curve.start), id);
         }
     }
 

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
 // The pipeline stopped after the colors. Straight input needs neither arranging nor sampling: its
-// curves are the constraints, and boundary recovery finds their crossings.
+// curves are the constraints, and boundary recovery finds their crossings. Where only polygons are
+// wanted, coherent chains are contracted first and put back into the polygons (contraction.h).
 #include "imprint/overlay.h"
 
 #include "arrange/arrange.h"
 #include "base/box2.h"
 #include "curve/network_check.h"
+#include "imprint/contraction.h"
+#include "recover/constraint_map.h"
 #include "sample/sample.h"
 #include "sizing/uniform_size.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace tessera
@@ -48,6 +52,7 @@ public:
         recoverStage();
         colorStage();
         outlineStage();
+        noteOrigins();
         result_.report.seconds.total = stopwatch_.total();
         return std::move(result_);
     }
@@ -124,7 +129,10 @@ private:
             box.add(p);
         }
         result_.rectangle = makeInitialRectangle(box);
-        delaunay_ = triangulate(result_.pslg.points, execution_);
+        if (!options_.triangles && stages_ == nullptr) {
+            contraction_ = contract(result_.pslg, result_.network(), execution_);
+        }
+        delaunay_ = triangulate(divided().points, execution_);
         stopwatch_.lap(result_.report.seconds.triangulate);
         if (stages_ != nullptr) {
             stages_->initialRectangle(result_.rectangle);
@@ -132,20 +140,36 @@ private:
         }
     }
 
+    /// What is triangulated.
+    const Pslg& divided() const { return contraction_ ? contraction_->pslg : result_.pslg; }
+
     void recoverStage()
     {
         execution_.beginStage("recover", 0.4, 0.7);
+        recoverSegments();
+        if (contraction_ && !isExpandable(*contraction_, result_.recovered)) {
+            contraction_.reset();
+            delaunay_ = triangulate(result_.pslg.points, execution_);
+            recoverSegments();
+        }
+        addRecovery(result_.recovered.report);
+        vertexOfPoint_.resize(delaunay_.vertexOfPoint.size());
+        std::transform(delaunay_.vertexOfPoint.begin(), delaunay_.vertexOfPoint.end(),
+                       vertexOfPoint_.begin(),
+                       [this](std::uint32_t v) { return result_.recovered.vertexMap[v]; });
+        stopwatch_.lap(result_.report.seconds.recover);
+    }
+
+    void recoverSegments()
+    {
         std::vector<ConstraintEnds> ends;
-        ends.reserve(result_.pslg.segments.size());
-        for (const PslgSegment& segment : result_.pslg.segments) {
+        ends.reserve(divided().segments.size());
+        for (const PslgSegment& segment : divided().segments) {
             ends.push_back({delaunay_.vertexOfPoint[segment.a.index()],
                             delaunay_.vertexOfPoint[segment.b.index()]});
         }
         result_.recovered = recoverBoundaries(std::move(delaunay_.triangulation), ends,
                                               options_.recovery, execution_, stages_);
-        addRecovery(result_.recovered.report);
-        noteOrigins();
-        stopwatch_.lap(result_.report.seconds.recover);
     }
 
     void noteOrigins()
@@ -153,7 +177,7 @@ private:
         std::vector<VertexOrigin>& origin = result_.origin;
         origin.assign(result_.recovered.triangulation.points.size(), VertexOrigin::CurveSample);
         for (std::size_t p = result_.network().points.size(); p-- > 0;) {
-            origin[result_.recovered.vertexMap[delaunay_.vertexOfPoint[p]]] =
+            origin[vertexOfPoint_[p]] =
                 p < firstCrossing_ ? VertexOrigin::Input : VertexOrigin::Crossing;
         }
         std::fill(origin.begin() + result_.recovered.firstCrossing, origin.end(),
@@ -177,8 +201,12 @@ private:
     {
         execution_.beginStage("color", 0.7, 0.9);
         const BooleanOptions boolean {options_.operation, options_.priority, options_.fill};
-        result_.parts = colorBoolean(result_.recovered, result_.network(), result_.pslg, boolean,
+        result_.parts = colorBoolean(result_.recovered, result_.network(), divided(), boolean,
                                      execution_);
+        if (contraction_) {
+            chordAreas_ = chordAreas(*contraction_, result_.pslg, result_.recovered);
+        }
+        addChordAreas();
         OverlayReport& report = result_.report;
         report.messages.insert(report.messages.end(), result_.parts.messages.begin(),
                                result_.parts.messages.end());
@@ -189,6 +217,20 @@ private:
             report.theta = thetaAreas();
         }
         stopwatch_.lap(report.seconds.color);
+    }
+
+    void addChordAreas()
+    {
+        const auto add = [this](std::uint32_t triangle, double area) {
+            const std::uint32_t part = result_.parts.partOfTriangle[triangle];
+            if (part != BooleanParts::kNoPart) {
+                result_.parts.parts[part].area += area;
+            }
+        };
+        for (const ChordArea& chord : chordAreas_) {
+            add(chord.gaining, chord.area);
+            add(chord.losing, -chord.area);
+        }
     }
 
     ThetaAreas thetaAreas() const
@@ -202,6 +244,10 @@ private:
                     0.5 * cross(t.points[v[1]] - t.points[v[0]], t.points[v[2]] - t.points[v[0]]);
             }
         }
+        for (const ChordArea& chord : chordAreas_) {
+            area[static_cast<std::size_t>(result_.parts.theta[chord.gaining])] += chord.area;
+            area[static_cast<std::size_t>(result_.parts.theta[chord.losing])] -= chord.area;
+        }
         const Vec2 extent = result_.rectangle.corner[2] - result_.rectangle.corner[0];
         const auto of = [&area](Theta theta) { return area[static_cast<std::size_t>(theta)]; };
         ThetaAreas areas {of(Theta::O), of(Theta::T), of(Theta::S), 0.0};
@@ -214,7 +260,22 @@ private:
         execution_.beginStage("extract", 0.9, 1.0);
         result_.polygons = partOutlines(result_.recovered.triangulation,
                                         result_.parts.partOfTriangle, result_.parts.parts.size());
+        if (contraction_) {
+            expandResult();
+        }
         stopwatch_.lap(result_.report.seconds.extract);
+    }
+
+    /// The triangles are those of the contraction: of no use to others.
+    void expandResult()
+    {
+        ExpandedOverlay expanded = expand(*contraction_, result_.pslg, result_.recovered,
+                                          vertexOfPoint_, result_.polygons);
+        result_.recovered = std::move(expanded.recovered);
+        result_.polygons = std::move(expanded.polygons);
+        vertexOfPoint_ = std::move(expanded.vertexOfPoint);
+        result_.parts.partOfTriangle.clear();
+        result_.parts.theta.clear();
     }
 
     OverlayOptions options_;
@@ -222,7 +283,10 @@ private:
     StageObserver* stages_;
     StageStopwatch stopwatch_;
     std::size_t firstCrossing_ = 0; ///< among the points of the arranged network
+    std::optional<Contraction> contraction_;
+    std::vector<ChordArea> chordAreas_;
     DelaunayResult delaunay_;
+    std::vector<std::uint32_t> vertexOfPoint_;
     OverlayResult result_;
 };
 
@@ -230,13 +294,9 @@ private:
 
 std::vector<CurveId> OverlayResult::curvesOn(std::uint32_t a, std::uint32_t b) const
 {
-    const auto& subsegments = recovered.constraints.subsegments; // sorted by a, then b
-    const std::pair ends(std::min(a, b), std::max(a, b));
-    const auto found = std::lower_bound(
-        subsegments.begin(), subsegments.end(), ends,
-        [](const Subsegment& s, const auto& wanted) { return std::pair(s.a, s.b) < wanted; });
+    const Subsegment* found = findSubsegment(recovered.constraints, a, b);
     std::vector<CurveId> curves;
-    if (found == subsegments.end() || std::pair(found->a, found->b) != ends) {
+    if (found == nullptr) {
         return curves;
     }
     for (const ConstraintUse& use : recovered.constraints.usesOf(*found)) {

@@ -30,6 +30,9 @@ struct OverlayOptions
     /// Greatest distance of the polygons from curved input, in its unit; 0: 1e-5 of the bounding
     /// box's diagonal. Straight input is not sampled.
     double chordError = 0.0;
+    /// Whether the triangles are wanted besides the polygons. Without them, runs of segments near
+    /// which there is nothing else need not be triangulated, and the result may have none.
+    bool triangles = true;
 };
 
 /// Areas of the paper's Algorithm 2; e is what the initial rectangle has besides the others.
@@ -65,6 +68,8 @@ struct OverlayResult
     std::vector<CurveId> parent; ///< by arranged curve: the input curve
     Pslg pslg;                   ///< of network()
     InitialRectangle rectangle {};
+    /// With !OverlayOptions::triangles perhaps without triangles, vertexMap included; then those of
+    /// parts have no entries either.
     RecoveryResult recovered;
     BooleanParts parts;
     std::vector<VertexOrigin> origin; ///< by vertex: Crossing where curves cross

@@ -11,6 +11,7 @@
 #include "io/atomic_file.h"
 #include "occt/occt_curve.h"
 #include "occt/silence.h"
+#include "recover/constraint_map.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -151,11 +152,7 @@ private:
     Side sideOf(std::uint32_t a, std::uint32_t b) const
     {
         const auto& constraints = result_.recovered.constraints;
-        const std::pair ends(std::min(a, b), std::max(a, b));
-        const auto found = std::lower_bound(
-            constraints.subsegments.begin(), constraints.subsegments.end(), ends,
-            [](const Subsegment& s, const auto& wanted) { return std::pair(s.a, s.b) < wanted; });
-        for (const ConstraintUse& use : constraints.usesOf(*found)) {
+        for (const ConstraintUse& use : constraints.usesOf(*findSubsegment(constraints, a, b))) {
             const CurveId curve = result_.pslg.segments[use.constraint.index()].curve;
             if (spaceCurves_[curve.index()]) {
                 return {curve, (a < b) == use.forward};

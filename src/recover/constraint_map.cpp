@@ -42,6 +42,105 @@ struct Buckets
     }
 };
 
+/// Finds the subsegments of a map that has its chains only.
+class SubsegmentFinder
+{
+public:
+    explicit SubsegmentFinder(ConstraintMap& map)
+        : map_(map)
+    {}
+
+    void run(std::size_t vertexCount)
+    {
+        bucketUses(vertexCount);
+        addSubsegments(groupUses());
+    }
+
+private:
+    /// Calls f(constraint, u, v) for every piece of every chain, in the constraint's direction.
+    template<class F>
+    void forEachPiece(F&& f) const
+    {
+        for (std::uint32_t c = 0; c < map_.chainStart.size() - 1; ++c) {
+            const auto chain = map_.chainOf(ConstraintId(c));
+            for (std::size_t i = 1; i < chain.size(); ++i) {
+                f(c, chain[i - 1], chain[i]);
+            }
+        }
+    }
+
+    /// Puts a use for each piece into map_.uses and its higher vertex into higher_, in the order of
+    /// the lower vertex, then of the constraint.
+    void bucketUses(std::size_t vertexCount)
+    {
+        usesAt_.assign(vertexCount + 1, 0);
+        forEachPiece([this](std::uint32_t, std::uint32_t u, std::uint32_t v) {
+            ++usesAt_[std::min(u, v)];
+        });
+        std::exclusive_scan(usesAt_.begin(), usesAt_.end(), usesAt_.begin(), 0U);
+        map_.uses.resize(usesAt_.back());
+        higher_.resize(usesAt_.back());
+        forEachPiece([this](std::uint32_t c, std::uint32_t u, std::uint32_t v) {
+            const std::uint32_t i = usesAt_[std::min(u, v)]++;
+            map_.uses[i] = {ConstraintId(c), u < v};
+            higher_[i] = std::max(u, v);
+        });
+        std::move_backward(usesAt_.begin(), usesAt_.end() - 1, usesAt_.end());
+        usesAt_[0] = 0;
+    }
+
+    /// Sorts each bucket by the higher vertex, then by the constraint. Returns the number of edges.
+    std::size_t groupUses()
+    {
+        std::vector<std::pair<std::uint32_t, ConstraintUse>> bucket;
+        std::size_t edges = 0;
+        for (std::size_t v = 0; v + 1 < usesAt_.size(); ++v) {
+            if (usesAt_[v + 1] - usesAt_[v] <= 1) {
+                edges += usesAt_[v + 1] - usesAt_[v];
+                continue;
+            }
+            bucket.clear();
+            for (std::uint32_t i = usesAt_[v]; i < usesAt_[v + 1]; ++i) {
+                bucket.emplace_back(higher_[i], map_.uses[i]);
+            }
+            std::sort(bucket.begin(), bucket.end(), [](const auto& p, const auto& q) {
+                return p.first != q.first ? p.first < q.first
+                                          : p.second.constraint < q.second.constraint;
+            });
+            std::uint32_t before = SegmentTable::kNone;
+            std::uint32_t i = usesAt_[v];
+            for (const auto& [higher, use] : bucket) {
+                edges += higher != before ? 1 : 0;
+                before = higher;
+                higher_[i] = higher;
+                map_.uses[i] = use;
+                ++i;
+            }
+        }
+        return edges;
+    }
+
+    void addSubsegments(std::size_t count)
+    {
+        map_.subsegments.reserve(count);
+        for (std::uint32_t v = 0; v + 1 < usesAt_.size(); ++v) {
+            const std::uint32_t end = usesAt_[v + 1];
+            for (std::uint32_t first = usesAt_[v]; first < end;) {
+                std::uint32_t last = first + 1;
+                while (last < end && higher_[last] == higher_[first]) {
+                    ++last;
+                }
+                map_.subsegments.push_back({v, higher_[first], first, last - first});
+                first = last;
+            }
+        }
+    }
+
+    ConstraintMap& map_;
+    std::vector<std::uint32_t> usesAt_; ///< by lower vertex: where its uses begin
+    std::vector<std::uint32_t> higher_; ///< by use: the edge's higher vertex
+};
+
 class MapBuilder
 {
 public:
@@ -56,8 +155,7 @@ public:
         layOutChains(chains);
         fillChains(vertexOf, chains);
         chains = {}; // their memory serves the rest
-        bucketUses(vertexCount);
-        addSubsegments(groupUses());
+        addSubsegments(map_, vertexCount);
         return std::move(map_);
     }
 
@@ -117,86 +215,9 @@ private:
         }
     }
 
-    /// Calls f(constraint, u, v) for every piece of every chain, in the constraint's direction.
-    template<class F>
-    void forEachPiece(F&& f) const
-    {
-        for (std::uint32_t c = 0; c < constraints_.size(); ++c) {
-            const auto chain = map_.chainOf(ConstraintId(c));
-            for (std::size_t i = 1; i < chain.size(); ++i) {
-                f(c, chain[i - 1], chain[i]);
-            }
-        }
-    }
-
-    /// Puts a use for each piece into map_.uses and its higher vertex into higher_, in the order of
-    /// the lower vertex, then of the constraint.
-    void bucketUses(std::size_t vertexCount)
-    {
-        usesAt_.assign(vertexCount + 1, 0);
-        forEachPiece([this](std::uint32_t, std::uint32_t u, std::uint32_t v) {
-            ++usesAt_[std::min(u, v)];
-        });
-        std::exclusive_scan(usesAt_.begin(), usesAt_.end(), usesAt_.begin(), 0U);
-        map_.uses.resize(usesAt_.back());
-        higher_.resize(usesAt_.back());
-        forEachPiece([this](std::uint32_t c, std::uint32_t u, std::uint32_t v) {
-            const std::uint32_t i = usesAt_[std::min(u, v)]++;
-            map_.uses[i] = {ConstraintId(c), u < v};
-            higher_[i] = std::max(u, v);
-        });
-        std::move_backward(usesAt_.begin(), usesAt_.end() - 1, usesAt_.end());
-        usesAt_[0] = 0;
-    }
-
-    /// Sorts each bucket by the higher vertex, then by the constraint. Returns the number of edges.
-    std::size_t groupUses()
-    {
-        std::vector<std::pair<std::uint32_t, ConstraintUse>> bucket;
-        std::size_t edges = 0;
-        for (std::size_t v = 0; v + 1 < usesAt_.size(); ++v) {
-            bucket.clear();
-            for (std::uint32_t i = usesAt_[v]; i < usesAt_[v + 1]; ++i) {
-                bucket.emplace_back(higher_[i], map_.uses[i]);
-            }
-            std::sort(bucket.begin(), bucket.end(), [](const auto& p, const auto& q) {
-                return p.first != q.first ? p.first < q.first
-                                          : p.second.constraint < q.second.constraint;
-            });
-            std::uint32_t before = SegmentTable::kNone;
-            std::uint32_t i = usesAt_[v];
-            for (const auto& [higher, use] : bucket) {
-                edges += higher != before ? 1 : 0;
-                before = higher;
-                higher_[i] = higher;
-                map_.uses[i] = use;
-                ++i;
-            }
-        }
-        return edges;
-    }
-
-    void addSubsegments(std::size_t count)
-    {
-        map_.subsegments.reserve(count);
-        for (std::uint32_t v = 0; v + 1 < usesAt_.size(); ++v) {
-            const std::uint32_t end = usesAt_[v + 1];
-            for (std::uint32_t first = usesAt_[v]; first < end;) {
-                std::uint32_t last = first + 1;
-                while (last < end && higher_[last] == higher_[first]) {
-                    ++last;
-                }
-                map_.subsegments.push_back({v, higher_[first], first, last - first});
-                first = last;
-            }
-        }
-    }
-
     std::span<const ConstraintEnds> constraints_;
     const SegmentTable& table_;
     ConstraintMap map_;
-    std::vector<std::uint32_t> usesAt_; ///< by lower vertex: where its uses begin
-    std::vector<std::uint32_t> higher_; ///< by use: the edge's higher vertex
 };
 
 } // namespace
@@ -237,6 +258,21 @@ ConstraintMap makeConstraintMap(std::span<const ConstraintEnds> constraints,
                                 Chains chains)
 {
     return MapBuilder(constraints, table).build(vertexOf, std::move(chains));
+}
+
+void addSubsegments(ConstraintMap& map, std::size_t vertexCount)
+{
+    SubsegmentFinder(map).run(vertexCount);
+}
+
+const Subsegment* findSubsegment(const ConstraintMap& map, std::uint32_t u, std::uint32_t v)
+{
+    const std::pair ends(std::min(u, v), std::max(u, v));
+    const auto found = std::lower_bound(
+        map.subsegments.begin(), map.subsegments.end(), ends,
+        [](const Subsegment& s, const auto& wanted) { return std::pair(s.a, s.b) < wanted; });
+    return found == map.subsegments.end() || std::pair(found->a, found->b) != ends ? nullptr
+                                                                                   : &*found;
 }
 
 } // namespace tessera

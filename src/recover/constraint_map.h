@@ -31,4 +31,11 @@ ConstraintMap makeConstraintMap(std::span<const ConstraintEnds> constraints,
                                 std::span<const std::uint32_t> vertexOf, const SegmentTable& table,
                                 Chains chains);
 
+/// Fills in the subsegments and uses of a map that has its chains, of vertices below vertexCount.
+/// O(n), plus sorting at vertices of high degree.
+void addSubsegments(ConstraintMap& map, std::size_t vertexCount);
+
+/// The subsegment between two vertices; null if there is none. O(log n).
+const Subsegment* findSubsegment(const ConstraintMap& map, std::uint32_t u, std::uint32_t v);
+
 } // namespace tessera
