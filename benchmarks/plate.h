@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <sstream>
+#include <string>
 
 namespace tessera::bench
 {
@@ -33,10 +36,45 @@ public:
     }
     double gradientBound() const override { return growth_; }
 
+    /// The same in x and y, without min and max, which Gmsh's expressions lack.
+    std::string expression() const
+    {
+        const Vec2 along = b_ - a_;
+        const double square = squaredLength(along);
+        std::ostringstream text;
+        text.precision(17);
+        if (square > 0.0) {
+            std::ostringstream s;
+            s.precision(17);
+            s << "(((x-" << a_.x << ")*(" << along.x << ")+(y-" << a_.y << ")*(" << along.y << "))/"
+              << square << ')';
+            const std::string clamped
+                = "(0.5*(abs" + s.str() + "-abs(" + s.str() + "-1)+1))";
+            text << smallest_ << '+' << growth_ << "*sqrt((x-" << a_.x << "-(" << along.x << ")*"
+                 << clamped << ")^2+(y-" << a_.y << "-(" << along.y << ")*" << clamped << ")^2)";
+        }
+        else {
+            text << smallest_ << '+' << growth_ << "*sqrt((x-" << a_.x << ")^2+(y-" << a_.y
+                 << ")^2)";
+        }
+        return text.str();
+    }
+
 private:
     Vec2 a_, b_;
     double smallest_, growth_;
 };
+
+struct Hole
+{
+    Vec2 center;
+    double radius;
+};
+inline constexpr Hole kHoles[5] = {{{0.22, 0.24}, 0.08}, {{0.78, 0.22}, 0.08},
+                                   {{0.24, 0.77}, 0.08}, {{0.76, 0.79}, 0.08},
+                                   {{0.52, 0.49}, 0.12}};
+inline constexpr Vec2 kLines[4][2] = {{{0.1, 0.45}, {0.3, 0.52}}, {{0.7, 0.55}, {0.92, 0.45}},
+                                      {{0.45, 0.08}, {0.55, 0.25}}, {{0.42, 0.72}, {0.58, 0.93}}};
 
 inline CurveNetwork plate()
 {
@@ -56,25 +94,17 @@ inline CurveNetwork plate()
     for (int i = 0; i < 4; ++i) {
         line(corner[i], corner[(i + 1) % 4], Role::Boundary);
     }
-    const struct
-    {
-        Vec2 center;
-        double radius;
-    } holes[5] = {{{0.22, 0.24}, 0.08}, {{0.78, 0.22}, 0.08}, {{0.24, 0.77}, 0.08},
-                  {{0.76, 0.79}, 0.08}, {{0.52, 0.49}, 0.12}};
-    for (const auto& hole : holes) {
+    for (const Hole& hole : kHoles) {
         NetworkCurve circle;
-        circle.geometry = makeCircleArc(hole.center, hole.radius, 0.0, 2.0 * M_PI);
+        circle.geometry = makeCircleArc(hole.center, hole.radius, 0.0, 2.0 * std::numbers::pi);
         circle.start = network.addPoint(circle.geometry->point(circle.geometry->first()));
         circle.end = circle.start;
         circle.operand = operand;
         network.curves.push_back(circle);
     }
-    const Vec2 lines[4][2] = {{{0.1, 0.45}, {0.3, 0.52}}, {{0.7, 0.55}, {0.92, 0.45}},
-                              {{0.45, 0.08}, {0.55, 0.25}}, {{0.42, 0.72}, {0.58, 0.93}}};
-    for (const auto& l : lines) {
-        const PointId a = network.addPoint(l[0]);
-        line(a, network.addPoint(l[1]), Role::Constraint);
+    for (const auto& inner : kLines) {
+        const PointId a = network.addPoint(inner[0]);
+        line(a, network.addPoint(inner[1]), Role::Constraint);
     }
     return network;
 }

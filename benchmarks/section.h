@@ -51,15 +51,18 @@ namespace tessera::bench
 struct Result
 {
     std::size_t vertices = 0;              ///< of the result; 0: not counted, no bytes per vertex
+    double seconds = 0.0; ///< of a peer that is a program of its own, by its own clock; else 0
     std::map<std::string, double> columns; ///< further columns of the details, by title
 };
 
 /// What the first engine should reach; 0: no target.
 struct Expectation
 {
-    std::string reference;       ///< the engine it is measured against
+    std::string reference {};    ///< the engine it is measured against
     double ratio = 0.0;          ///< its time over the reference's, at most
     double bytesPerVertex = 0.0; ///< at the heap's peak, at most
+    std::map<std::string, double> atLeast {}; ///< of columns
+    std::map<std::string, double> atMost {};
 };
 
 /// Those of the named peers that are compiled in, with their versions.
@@ -118,7 +121,13 @@ public:
     {
         std::ostringstream text;
         text << expectation.reference << '|' << expectation.ratio << '|'
-             << expectation.bytesPerVertex;
+             << expectation.bytesPerVertex << '|';
+        for (const auto& [title, value] : expectation.atLeast) {
+            text << title << ">=" << value << ';';
+        }
+        for (const auto& [title, value] : expectation.atMost) {
+            text << title << "<=" << value << ';';
+        }
         benchmark::AddCustomContext("expect " + input, text.str());
     }
 
@@ -150,6 +159,9 @@ private:
                 const auto vertices = static_cast<double>(result.vertices);
                 state.counters["vertices"] = vertices;
                 state.counters["bytes/vertex"] = static_cast<double>(growth) / vertices;
+            }
+            if (result.seconds > 0.0) {
+                state.counters["own ms"] = 1e3 * result.seconds;
             }
             for (const auto& [title, value] : result.columns) {
                 state.counters[title] = value;

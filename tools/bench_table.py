@@ -33,8 +33,8 @@ class Engine:
 
     def __init__(self, name, runs):
         self.name = name
-        self.ms = median(run["cpu_time"] for run in runs)
-        known = {"vertices", "bytes/vertex"}
+        self.ms = median(run.get("own ms", run["cpu_time"]) for run in runs)
+        known = {"vertices", "bytes/vertex", "own ms"}
         self.vertices = runs[0].get("vertices")
         self.bytes = max((run.get("bytes/vertex", 0) for run in runs), default=0) or None
         first = list(runs[0])
@@ -48,11 +48,24 @@ class Case:
     def __init__(self, name, engines, expectation):
         self.name = name
         self.engines = engines
-        self.reference, ratio, size = (expectation or "|0|0").split("|")
+        self.reference, ratio, size, columns = (expectation or "|0|0|").split("|")
         self.ratio_target, self.bytes_target = float(ratio), float(size)
+        self.column_targets = re.findall(r"([^;]+?)([<>])=([^;]+);", columns)
 
     def ratio(self, engine):
         return self.engines[0].ms / engine.ms
+
+    def columns(self):
+        """Our columns that have a target: value, target, and whether it is missed."""
+        parts = []
+        for title, sign, text in self.column_targets:
+            value, target = self.engines[0].columns[title], float(text)
+            missed = value < target if sign == ">" else value > target
+            parts.append(
+                f"{title} {value:.4g} {'≥' if sign == '>' else '≤'} {target:g}"
+                + (" missed" if missed else "")
+            )
+        return ", ".join(parts)
 
     def find(self, name):
         return next((engine for engine in self.engines if engine.name == name), None)
@@ -81,7 +94,9 @@ class Section:
         ]
         first = {case: min(engines)[0] for case, engines in runs.items()}
         self.cases.sort(key=lambda case: first[case.name])
-        self.has_peer = any(case.find(case.reference) for case in self.cases)
+        self.has_peer = any(
+            case.find(case.reference) or case.column_targets for case in self.cases
+        )
 
 
 def number(value, digits=3):
@@ -118,28 +133,30 @@ def aligned(rows):
 
 def summary(sections):
     """One line for each input that has a peer."""
-    rows = [["input", "ms", "peer", "ratio", "target", "bytes", "target", "ratio to others"]]
+    rows = [["input", "ms", "peer", "ratio", "target", "bytes", "target", "ratio to others", "also"]]
     for section in sections:
-        rows.append([f"**{section.title}**"] + [""] * 7)
+        rows.append([f"**{section.title}**"] + [""] * 8)
         for case in section.cases:
             ours, reference = case.engines[0], case.find(case.reference)
-            if reference is None:
+            if reference is None and not case.column_targets:
                 continue
             others = [e for e in case.engines[1:] if e is not reference]
-            ratio = case.ratio(reference)
+            ratio = case.ratio(reference) if reference else None
             rows.append(
                 [
                     case.name,
                     number(ours.ms),
-                    reference.name,
-                    f"{ratio:.2g}",
-                    at_most(ratio, case.ratio_target),
+                    reference.name if reference else "",
+                    f"{ratio:.2g}" if reference else "",
+                    at_most(ratio, case.ratio_target) if reference else "",
                     number(ours.bytes),
                     at_most(ours.bytes or 0, case.bytes_target),
                     ", ".join(f"{e.name} {case.ratio(e):.2g}" for e in others),
+                    case.columns(),
                 ]
             )
-    return aligned(rows)
+    filled = [i for i in range(len(rows[0])) if any(row[i] for row in rows[1:])]
+    return aligned([[row[i] for i in filled] for row in rows])
 
 
 def details(section):
