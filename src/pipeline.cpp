@@ -11,6 +11,7 @@
 #include "region/dropped_curves.h"
 #include "region/no_inside.h"
 #include "sample/sample.h"
+#include "sizing/count_search.h"
 #include "sizing/make_size_field.h"
 
 #include <algorithm>
@@ -159,6 +160,8 @@ private:
     {
         const auto positive = [](double x) { return std::isfinite(x) && x >= 0.0; };
         require(positive(options_.size), "The size must be a positive length.");
+        require(options_.count == 0 || options_.size == 0.0,
+                "Give the size or the number of triangles, not both.");
         require(positive(options_.minSize), "The smallest size must be a positive length.");
         require(options_.growth > 0.0 && options_.growth <= 1.0,
                 "The growth rate must lie above 0 and at most at 1.");
@@ -302,7 +305,7 @@ private:
     void sampleStage(const SizeField& size)
     {
         execution_.beginStage("sample", 0.05, 0.1);
-        SampleOptions sampleOptions {.straightSegments = options_.refine,
+        SampleOptions sampleOptions {.straightSegments = options_.refine && !options_.freezeBoundary,
                                      .piecesPerTurn = options_.sizes.piecesPerTurn,
                                      .chordError = options_.sizes.chordError,
                                      .growth = options_.growth};
@@ -401,6 +404,7 @@ private:
         execution_.beginStage("refine", 0.4, 0.75);
         refineOptions_.minAngle = options_.minAngle;
         refineOptions_.maxArea = options_.maxArea;
+        refineOptions_.freezeBoundary = options_.freezeBoundary;
         refineOptions_.optimizeFollows = options_.optimize;
         for (const Region& region : regions_.regions) {
             refineOptions_.regionMaxArea.push_back(region.maxArea);
@@ -502,16 +506,90 @@ private:
 
 } // namespace
 
+namespace
+{
+
+void addSeconds(StageSeconds& sum, const StageSeconds& s)
+{
+    for (const auto stage :
+         {&StageSeconds::arrange, &StageSeconds::sample, &StageSeconds::triangulate,
+          &StageSeconds::recover, &StageSeconds::color, &StageSeconds::refine,
+          &StageSeconds::optimize, &StageSeconds::extract, &StageSeconds::total}) {
+        sum.*stage += s.*stage;
+    }
+}
+
+/// Meshes again and again until there are options.count triangles; the seconds are those of all
+/// runs. stages sees one more run, with the size found.
+MeshResult meshToCount(const CurveNetwork& network, const SizeField* size,
+                       const MeshOptions& options, Execution& execution, StageObserver* stages)
+{
+    const Box2 box = networkBounds(network);
+    MeshOptions trial = options;
+    trial.count = 0;
+    if (!(box.max.x > box.min.x && box.max.y > box.min.y)) {
+        return Run(network, trial, execution, stages).mesh(size); // it says why nothing is inside
+    }
+    CountSearch search(static_cast<double>(options.count), box.max.x - box.min.x,
+                       box.max.y - box.min.y);
+    StageSeconds seconds;
+    MeshResult best;
+    int runs = 0;
+    double begin = 0.0;
+    const auto runOnce = [&](double h, StageObserver* observer) {
+        // Nobody knows how many runs there will be: each has a third of what is left.
+        const double end = begin + (1.0 - begin) / 3.0;
+        execution.setShare(begin, end);
+        begin = end;
+        trial.size = h;
+        MeshResult result = Run(network, trial, execution, observer).mesh(size);
+        addSeconds(seconds, result.report.seconds);
+        return result;
+    };
+    for (bool again = true; again && runs < CountSearch::kMostRuns; ++runs) {
+        MeshResult result = runOnce(search.next(), nullptr);
+        again = search.take(static_cast<double>(result.mesh.triangles.size()));
+        if (search.isBest()) {
+            best = std::move(result);
+            best.report.count.size = trial.size;
+        }
+    }
+    const double found = best.report.count.size;
+    if (stages != nullptr) {
+        best = runOnce(found, stages);
+    }
+    execution.setShare(0.0, 1.0);
+    best.report.count = {options.count, found, runs};
+    best.report.seconds = seconds;
+    const auto made = static_cast<double>(best.mesh.triangles.size());
+    if (!search.isReached(made)) {
+        best.report.unreached.push_back({"count", midpoint(box.min, box.max), made,
+                                         static_cast<double>(options.count)});
+    }
+    return best;
+}
+
+MeshResult meshOnceOrToCount(const CurveNetwork& network, const SizeField* size,
+                             const MeshOptions& options, Execution& execution,
+                             StageObserver* stages)
+{
+    return options.count > 0 && options.size == 0.0
+        ? meshToCount(network, size, options, execution, stages)
+        : Run(network, options, execution, stages).mesh(size);
+}
+
+} // namespace
+
 MeshResult meshNetwork(const CurveNetwork& network, const MeshOptions& options,
                        Execution& execution, StageObserver* stages)
 {
-    return Run(network, options, execution, stages).mesh(nullptr);
+    return meshOnceOrToCount(network, nullptr, options, execution, stages);
 }
 
 MeshResult meshNetwork(const CurveNetwork& network, const SizeField& size,
                        const MeshOptions& options, Execution& execution, StageObserver* stages)
 {
-    return Run(network, options, execution, stages).mesh(&size);
+    return meshOnceOrToCount(network, &size, options, execution, stages);
 }
 
 } // namespace tessera

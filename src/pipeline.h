@@ -28,6 +28,7 @@ namespace tessera
 struct MeshOptions
 {
     double size = 0.0;     ///< target edge length; 0: bounding-box diagonal / 40
+    std::size_t count = 0; ///< wanted number of triangles, instead of size; 0: size decides
     double minSize = 0.0;  ///< lower bound of the size field; 0: none
     double growth = 0.3;   ///< greatest |grad h|, 0 < growth <= 1
     double minAngle = 30.0; ///< 0..33
@@ -38,6 +39,8 @@ struct MeshOptions
     FillRule fill = FillRule::EvenOdd;
     RecoveryStrategy recovery = RecoveryStrategy::Cavity;
     bool refine = true;    ///< false: no interior points, straight segments not sampled
+    /// No new points on straight curves, on others only those that size and curvature ask for.
+    bool freezeBoundary = false;
     bool optimize = true;
     LocalSizes sizes {};   ///< what asks for sizes besides size; curves by their ids in the input
 };
@@ -62,6 +65,13 @@ struct MeshReport
     QualityReport quality;
     std::vector<Unreached> unreached;
     double defaultSize = 0.0; ///< diagonal / 40
+    /// Only if MeshOptions::count was given: that, the size found for it, and after how many runs.
+    struct Count
+    {
+        std::size_t target = 0;
+        double size = 0.0;
+        int runs = 0;
+    } count;
     double weld = 0.0;        ///< the tolerance used
     std::size_t welded = 0;   ///< end points joined by it
     std::vector<std::string> messages; ///< for the user: holes by even-odd, welds, dropped parts

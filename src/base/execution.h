@@ -43,12 +43,18 @@ public:
     int threads() const { return threads_; }
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
-    /// A stage covers [begin, end] of the whole run; its own progress is scaled into it.
+    /// Where several runs make up the whole: the stages of the next one fill [begin, end] of it.
+    void setShare(double begin, double end)
+    {
+        shareBegin_ = begin;
+        shareEnd_ = end;
+    }
+    /// A stage covers [begin, end] of its run; its own progress is scaled into it.
     void beginStage(const char* name, double begin, double end)
     {
         stage_ = name;
-        begin_ = begin;
-        end_ = end;
+        begin_ = shareBegin_ + (shareEnd_ - shareBegin_) * begin;
+        end_ = shareBegin_ + (shareEnd_ - shareBegin_) * end;
         report(0.0);
     }
     /// Throws Error(Cancelled) or Error(TimeLimit). Cheap without a time limit.
@@ -81,6 +87,8 @@ private:
     int threads_ = 1;
     Progress progress_;
     const char* stage_ = "";
+    double shareBegin_ = 0.0;
+    double shareEnd_ = 1.0;
     double begin_ = 0.0;
     double end_ = 1.0;
     double last_ = 0.0;

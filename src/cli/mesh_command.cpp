@@ -19,6 +19,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,21 +34,26 @@ namespace
 struct MeshArguments: RunOptions
 {
     std::optional<double> size;
+    std::optional<double> count;
     std::optional<double> minSize;
     std::optional<double> growth;
     std::optional<double> minAngle;
     std::optional<double> maxArea;
+    std::optional<int> threads;
     int order = 1;
     RoleLists roles;
     SizeArguments sizes;
     bool noRefine = false;
     bool noOptimize = false;
+    bool freezeBoundary = false;
 };
 
 void addOptions(CLI::App& command, MeshArguments& a)
 {
     addFileOptions(command, a, "Mesh file: " + meshExtensions());
     command.add_option("--size", a.size, "Target edge length; default: a fortieth of the diagonal");
+    command.add_option("--count", a.count,
+                       "Number of triangles to aim for, instead of --size: finds the size");
     command.add_option("--min-size", a.minSize, "Smallest edge length to aim for");
     command.add_option("--growth", a.growth,
                        "How fast the size may grow, above 0 to 1; default 0.3");
@@ -70,13 +76,43 @@ void addOptions(CLI::App& command, MeshArguments& a)
     command.add_flag("--no-refine", a.noRefine,
                      "No interior points; straight segments are not divided");
     command.add_flag("--no-optimize", a.noOptimize, "Leave the triangles as they were inserted");
+    command.add_flag("--freeze-boundary", a.freezeBoundary,
+                     "No new nodes on straight segments; on curves only what size and curvature "
+                     "ask for");
+    command.add_option("--threads", a.threads,
+                       "Threads to use, 1 to 1024; default: as many as there are cores. The result "
+                       "is the same");
     addRunOptions(command, a);
+}
+
+std::size_t wholeCount(const std::optional<double>& count)
+{
+    constexpr double kMost = 1e9; // triangles are numbered with 32 bits, two to each node or so
+    if (count && !(*count >= 1.0 && *count <= kMost && std::floor(*count) == *count)) {
+        throw Error(ErrorKind::InvalidOption,
+                    fmt::format("--count is {}; it must be a whole number from 1 to {}.", *count,
+                                kMost));
+    }
+    return static_cast<std::size_t>(count.value_or(0.0));
+}
+
+void setThreads(Execution& execution, const std::optional<int>& threads)
+{
+    if (threads && !(*threads >= 1 && *threads <= 1024)) {
+        throw Error(ErrorKind::InvalidOption,
+                    fmt::format("--threads is {}; it must lie between 1 and 1024.", *threads));
+    }
+    execution.setThreads(threads.value_or(0));
 }
 
 MeshOptions meshOptions(const MeshArguments& a)
 {
     MeshOptions options;
     options.size = positive(a.size, "--size");
+    options.count = wholeCount(a.count);
+    if (a.size && a.count) {
+        throw Error(ErrorKind::InvalidOption, "--size and --count exclude each other; give one.");
+    }
     options.minSize = positive(a.minSize, "--min-size");
     options.maxArea = positive(a.maxArea, "--max-area");
     options.growth = a.growth.value_or(options.growth);
@@ -88,6 +124,7 @@ MeshOptions meshOptions(const MeshArguments& a)
     options.recovery = a.recovery;
     options.refine = !a.noRefine;
     options.optimize = !a.noOptimize;
+    options.freezeBoundary = a.freezeBoundary;
     options.memoryLimit = static_cast<double>(availableMemoryBytes());
     return options;
 }
@@ -123,6 +160,7 @@ int runMesh(const MeshArguments& a)
     MeshOptions options = meshOptions(a);
     Execution execution;
     setTimeLimit(execution, a);
+    setThreads(execution, a.threads);
     const RunControl control(execution, a.quiet);
 
     requireDistinctFiles(a);

@@ -19,6 +19,16 @@ void addQuality(Json& json, const QualityReport& quality)
     json["angle_p01_deg"] = quality.angleP01;
     json["min_quality"] = quality.minQuality;
     json["mean_quality"] = quality.meanQuality;
+    json["angle_histogram"] = quality.angleHistogram;
+    json["quality_histogram"] = quality.qualityHistogram;
+    Json worst = Json::array();
+    for (const QualityReport::Worst& w : quality.worst) {
+        worst.push_back({{"triangle", w.triangle},
+                         {"place", {w.place.x, w.place.y}},
+                         {"min_angle_deg", w.angle},
+                         {"quality", w.quality}});
+    }
+    json["worst"] = worst;
 }
 
 Json unreachedList(const std::vector<Unreached>& unreached)
@@ -59,6 +69,12 @@ std::string formatReport(const MeshResult& result)
     json["snap_pixel"] = report.recovery.snapPixel;
     json["unreached"] = unreachedList(report.unreached);
     json["default_size"] = report.defaultSize;
+    if (report.count.target > 0) {
+        json["count"] = {{"target", report.count.target},
+                         {"reached", result.mesh.triangles.size()},
+                         {"size", report.count.size},
+                         {"runs", report.count.runs}};
+    }
     json["weld"] = report.weld;
     json["welded"] = report.welded;
     json["messages"] = report.messages;

@@ -64,11 +64,13 @@ void defineRun(py::module_& module)
         "CancelledError.")
         .def(py::init<>())
         .def("cancel", &Execution::cancel)
+        .def("set_threads", &Execution::setThreads, py::arg("count"))
         .def("set_time_limit", &Execution::setTimeLimit, py::arg("seconds"));
 
     py::class_<MeshOptions>(module, "MeshOptions")
         .def(py::init<>())
         .def_readwrite("size", &MeshOptions::size)
+        .def_readwrite("count", &MeshOptions::count)
         .def_readwrite("min_size", &MeshOptions::minSize)
         .def_readwrite("growth", &MeshOptions::growth)
         .def_readwrite("min_angle", &MeshOptions::minAngle)
@@ -79,6 +81,7 @@ void defineRun(py::module_& module)
         .def_readwrite("recovery", &MeshOptions::recovery)
         .def_readwrite("refine", &MeshOptions::refine)
         .def_readwrite("optimize", &MeshOptions::optimize)
+        .def_readwrite("freeze_boundary", &MeshOptions::freezeBoundary)
         .def_readwrite("sizes", &MeshOptions::sizes);
 
     module.def("mesh", &runMesh, py::arg("input"), py::arg("options"), py::arg("execution"),

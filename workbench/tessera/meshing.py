@@ -27,6 +27,7 @@ def mesh(
     source,
     size=None,
     *,
+    count=None,
     min_size=None,
     growth=0.3,
     curvature=None,
@@ -49,6 +50,8 @@ def mesh(
     recovery="cavity",
     refine=True,
     optimize=True,
+    freeze_boundary=False,
+    threads=None,
     stages=None,
     time_limit=None,
     progress=None,
@@ -64,6 +67,8 @@ def mesh(
                   thread that must not look at the document. Lengths in the source's unit (FreeCAD:
                   mm).
     size          target edge length, > 0; None: diagonal of the bounding box / 40.
+    count         number of triangles to aim for, instead of size: finds the size, which the report
+                  names.
     min_size      nowhere smaller, > 0; None: no bound.
     growth        greatest change of the edge length per length, 0 < growth <= 1.
     curvature     pieces for a full turn of a curve, 3 .. 10000; None: 20.
@@ -94,6 +99,9 @@ def mesh(
     recovery      "cavity" or "steiner" (the paper's); the mesh is the same.
     refine        False: no interior points, straight curves stay whole.
     optimize      False: points are not moved afterwards.
+    freeze_boundary  True: no new nodes on straight curves, on others only what size and curvature
+                  ask for.
+    threads       to use, 1 .. 1024; None: as many as there are cores. The mesh is the same.
     stages        folder for a picture of each stage.
     time_limit    seconds.
     progress      called as progress(fraction, stage) a few times a second, at last with 1.0. When it
@@ -105,6 +113,9 @@ def mesh(
     """
     options = native.MeshOptions()
     options.size = _positive("size", size)
+    if size is not None and count is not None:
+        raise InvalidOptionError("size and count exclude each other; give one.")
+    options.count = _whole("count", count, 10**9)
     options.min_size = _positive("min_size", min_size)
     options.growth = number("growth", growth)
     options.min_angle = number("min_angle", min_angle)
@@ -115,6 +126,7 @@ def mesh(
     options.recovery = _choice("recovery", recovery, _RECOVERIES)
     options.refine = bool(refine)
     options.optimize = bool(optimize)
+    options.freeze_boundary = bool(freeze_boundary)
     if progress is not None and not callable(progress):
         raise InvalidOptionError("progress must be a function of (fraction, stage).")
     run = Execution() if execution is None else execution
@@ -122,6 +134,7 @@ def mesh(
         raise InvalidOptionError(
             f"execution must be a tessera.Execution, not a {type(run).__name__}."
         )
+    run.set_threads(_whole("threads", threads, 1024))
     if time_limit is not None:
         run.set_time_limit(_positive("time_limit", time_limit))
     if isinstance(source, Prepared):
@@ -147,6 +160,16 @@ def _folder(name, value):
 def _positive(name, value):
     """0.0, which the compiled module takes for "choose", if the value is None."""
     return 0.0 if value is None else positive(name, value)
+
+
+def _whole(name, value, most):
+    """0, which the compiled module takes for "choose", if the value is None."""
+    if value is None:
+        return 0
+    result = positive(name, value)
+    if result != int(result) or result > most:
+        raise InvalidOptionError(f"{name} must be a whole number up to {most}, not {value!r}.")
+    return int(result)
 
 
 def _not_negative(name, value):

@@ -54,6 +54,30 @@ protected:
     }
 };
 
+TEST_F(MeshCommand, CountFindsTheSizeAndThreadsChangeNothing)
+{
+    program.give("a.poly", kSquare);
+    const json report = mesh({"a.poly", "--count", "3000", "--threads", "2"});
+    EXPECT_NEAR(report["triangles"].get<double>(), 3000.0, 150.0);
+    EXPECT_EQ(report["count"]["reached"], report["triangles"]);
+    const json one = mesh({"a.poly", "--count", "3000", "--threads", "1"});
+    EXPECT_EQ(one["mean_quality"], report["mean_quality"]);
+    EXPECT_EQ(one["worst"], report["worst"]);
+    refuse({"mesh", "a.poly", "-o", "b.vtu", "--count", "3000", "--size", "1"}, "exclude each other");
+    refuse({"mesh", "a.poly", "-o", "b.vtu", "--count", "2.5"}, "--count is 2.5");
+    refuse({"mesh", "a.poly", "-o", "b.vtu", "--threads", "0"}, "--threads is 0");
+}
+
+TEST_F(MeshCommand, FrozenBoundariesKeepTheirSegments)
+{
+    program.give("a.poly", kSquare);
+    const json report = mesh({"a.poly", "--size", "1", "--freeze-boundary"});
+    EXPECT_GT(report["triangles"], 50);
+    const Outcome outcome = program.run({"mesh", "a.poly", "-o", "b.poly", "--size", "1",
+                                         "--freeze-boundary", "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+}
+
 TEST_F(MeshCommand, ReportHasAllKeys)
 {
     program.give("a.poly", kSquare);
@@ -226,7 +250,7 @@ TEST_F(MeshCommand, BadOptions)
     for (const auto& wrong : std::vector<std::vector<std::string>> {
              {"--size", "small"}, {"--size"}, {"--order", "3"}, {"--fill", "some"}, {"--fill", "3"},
              {"--recovery", "none"}, {"--constraint", "1,x"}, {"--no-such-option"},
-             {"--threads", "2"}, {"--elements", "quad"}}) {
+             {"--elements", "quad"}}) {
         refuse(with(wrong), "--help", 2);
     }
     refuse({"mesh", "a.poly"}, "--output is required", 2);

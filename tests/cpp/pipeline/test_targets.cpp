@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline.h"
+#include "pipeline/random_domains.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace tessera
+{
+
+namespace
+{
+
+/// A square of side 10 with a round hole, and a line inside.
+CurveNetwork washer()
+{
+    CurveNetwork network;
+    network.operands.push_back({"washer"});
+    const auto line = [&](PointId a, PointId b, Role role) {
+        NetworkCurve curve;
+        curve.start = a;
+        curve.end = b;
+        curve.operand = OperandId(0U);
+        curve.role = role;
+        network.curves.push_back(curve);
+    };
+    const PointId corner[4] = {network.addPoint({0, 0}), network.addPoint({10, 0}),
+                               network.addPoint({10, 10}), network.addPoint({0, 10})};
+    for (int i = 0; i < 4; ++i) {
+        line(corner[i], corner[(i + 1) % 4], Role::Boundary);
+    }
+    const PointId start = network.addPoint({1, 2});
+    line(start, network.addPoint({9, 1.5}), Role::Constraint);
+    NetworkCurve circle;
+    circle.geometry = makeCircleArc({5, 6}, 2.0, 0.0, 2.0 * std::numbers::pi);
+    circle.start = network.addPoint(circle.geometry->point(circle.geometry->first()));
+    circle.end = circle.start;
+    circle.operand = OperandId(0U);
+    network.curves.push_back(circle);
+    return network;
+}
+
+MeshResult meshed(const MeshOptions& options, int threads = 1)
+{
+    Execution execution;
+    execution.setThreads(threads);
+    return meshNetwork(washer(), options, execution);
+}
+
+} // namespace
+
+TEST(Count, FindsTheSize)
+{
+    for (const std::size_t count : {300U, 5000U, 40000U}) {
+        MeshOptions options;
+        options.count = count;
+        const MeshResult made = meshed(options);
+        const auto triangles = static_cast<double>(made.mesh.triangles.size());
+        EXPECT_NEAR(triangles / static_cast<double>(count), 1.0, 0.05);
+        EXPECT_EQ(made.report.count.target, count);
+        EXPECT_TRUE(made.report.unreached.empty());
+        // The size in the report makes the same mesh.
+        MeshOptions again;
+        again.size = made.report.count.size;
+        EXPECT_EQ(meshed(again).mesh.nodes, made.mesh.nodes);
+    }
+}
+
+TEST(Count, LocalSizesStayAndTheSizeMakesUpForThem)
+{
+    MeshOptions options;
+    options.count = 6000;
+    options.sizes.points.push_back({{8, 8}, {0.02}});
+    const MeshResult made = meshed(options);
+    EXPECT_NEAR(static_cast<double>(made.mesh.triangles.size()), 6000.0, 300.0);
+    double nearest = 1e9;
+    for (const Vec2 p : made.mesh.nodes) {
+        if (!(p == Vec2 {8, 8})) {
+            nearest = std::min(nearest, distance(p, {8, 8}));
+        }
+    }
+    EXPECT_LT(nearest, 0.05);
+}
+
+TEST(Count, WhatCannotBeReachedIsListed)
+{
+    MeshOptions options;
+    options.count = 4; // the circle alone needs more
+    const MeshResult made = meshed(options);
+    ASSERT_FALSE(made.report.unreached.empty());
+    const Unreached& item = made.report.unreached.back();
+    EXPECT_EQ(item.what, "count");
+    EXPECT_EQ(item.target, 4.0);
+    EXPECT_EQ(item.value, static_cast<double>(made.mesh.triangles.size()));
+}
+
+TEST(Count, ExcludesASize)
+{
+    MeshOptions options;
+    options.count = 100;
+    options.size = 1.0;
+    EXPECT_THROW(meshed(options), Error);
+}
+
+TEST(Count, ProgressNeverFallsOverItsRuns)
+{
+    MeshOptions options;
+    options.count = 6000;
+    options.sizes.points.push_back({{8, 8}, {0.02}});
+    std::vector<double> fractions;
+    Execution execution;
+    execution.setProgress([&](double fraction, const char*) { fractions.push_back(fraction); });
+    const MeshResult made = meshNetwork(washer(), options, execution);
+    EXPECT_GT(made.report.count.runs, 1);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_LE(fractions.back(), 1.0);
+}
+
+TEST(FrozenBoundary, StraightCurvesStayWhole)
+{
+    MeshOptions options;
+    options.size = 0.4;
+    options.freezeBoundary = true;
+    const MeshResult made = meshed(options);
+    std::size_t straight = 0;
+    for (std::size_t e = 0; e < made.mesh.edges.size(); ++e) {
+        const CurveId curve = made.mesh.edgeCurves[made.mesh.edgeCurveStart[e]];
+        straight += curve.index() < 5 ? 1 : 0;
+    }
+    EXPECT_EQ(straight, 5U); // four sides and the line
+    EXPECT_EQ(std::count(made.mesh.nodeOrigin.begin(), made.mesh.nodeOrigin.end(),
+                         VertexOrigin::SegmentSplit),
+              0);
+    // The inside is filled all the same, and what is bad beside long edges is told.
+    EXPECT_GT(made.mesh.triangles.size(), 400U);
+    EXPECT_FALSE(made.report.unreached.empty());
+}
+
+TEST(Threads, TheMeshIsTheSameForAnyNumber)
+{
+    for (const double size : {0.02, 0.0}) {
+        MeshOptions options;
+        options.size = size;
+        if (size == 0.0) {
+            options.sizes.points.push_back({{8, 8}, {0.002}});
+            options.growth = 0.02;
+        }
+        const MeshResult one = meshed(options, 1);
+        for (const int threads : {2, 3, 7}) {
+            const MeshResult many = meshed(options, threads);
+            EXPECT_EQ(one.mesh.nodes, many.mesh.nodes);
+            EXPECT_EQ(one.mesh.triangles, many.mesh.triangles);
+            EXPECT_EQ(one.mesh.triangleRegion, many.mesh.triangleRegion);
+            EXPECT_EQ(one.mesh.edges, many.mesh.edges);
+            EXPECT_EQ(one.report.area, many.report.area);
+            EXPECT_EQ(one.report.quality.meanQuality, many.report.quality.meanQuality);
+        }
+    }
+}
+
+/// A part of what the benchmark "domains" meshes.
+TEST(RandomDomains, AreValidAndGood)
+{
+    testing::RandomDomainTally tally;
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        tally.add(seed, 0.03);
+    }
+    EXPECT_EQ(tally.domains, 60U);
+    EXPECT_EQ(tally.broken, 0U);
+    EXPECT_EQ(tally.hidden, 0U);
+    EXPECT_LE(tally.below, 1U);
+    EXPECT_GE(tally.blunt, 10U);
+    EXPECT_EQ(tally.bluntGood, tally.blunt);
+}
+
+} // namespace tessera
