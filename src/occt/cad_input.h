@@ -70,6 +70,9 @@ public:
     /// Index of the shape among several.
     std::size_t shape() const noexcept { return shape_; }
     void setShape(std::size_t shape) { shape_ = shape; }
+    /// Number of the face of the shape that was read by itself, from 1; 0: the shape as a whole.
+    std::uint32_t face() const noexcept { return face_; }
+    void setFace(std::uint32_t face) { face_ = face; }
 
 private:
     static std::vector<ErrorPlace> positionsOf(const std::vector<CadPlace>& where)
@@ -83,6 +86,7 @@ private:
 
     std::vector<CadPlace> where_;
     std::size_t shape_ = 0;
+    std::uint32_t face_ = 0;
 };
 
 } // namespace tessera

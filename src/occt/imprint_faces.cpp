@@ -125,7 +125,13 @@ private:
                 options.name += (options.name.empty() ? "Face" : "_Face")
                     + std::to_string(unit.face);
             }
-            addUnit(index, unit, std::move(options));
+            try {
+                addUnit(index, unit, std::move(options));
+            }
+            catch (CadError& error) {
+                error.setFace(unit.face);
+                throw;
+            }
         }
     }
 

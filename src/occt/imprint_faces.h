@@ -50,7 +50,7 @@ struct ImprintInput
 
 /// Each face becomes an operand, of a shape without faces its loose edges together; loose edges
 /// beside faces are left out. direction: of any length, none: the common normal of the faces.
-/// Throws CadError(InvalidInput), shape() says for which: faces that are not planar (with the
+/// Throws CadError(InvalidInput), shape() and face() say for which: faces that are not planar (with the
 /// distance) or not parallel to the first one (with the angle), and as networkFromShape();
 /// Error(InvalidOption) for a direction within the planes or without length.
 ImprintInput projectShapes(std::span<const ImprintShape> shapes,

@@ -88,16 +88,17 @@ public:
 
     const ImprintInput& input() const { return input_; }
 
-    /// Curves are told by the number of their edge in the face that they belong to.
+    /// Curves are told by the face that they belong to.
     [[noreturn]] void raise(const Error& error) const
     {
         std::vector<PlaceName> names;
         for (const ErrorPlace& place : error.places()) {
             PlaceName name;
             if (place.curve < input_.network.curves.size()) {
-                const NetworkCurve& curve = input_.network.curves[place.curve];
-                name.source = static_cast<std::int64_t>(
-                    input_.origins[curve.operand.index()].shape);
+                const OperandId operand = input_.network.curves[place.curve].operand;
+                const ImprintOrigin& origin = input_.origins[operand.index()];
+                name.source = static_cast<std::int64_t>(origin.shape);
+                name.element = origin.face == 0 ? "" : "Face" + std::to_string(origin.face);
             }
             names.push_back(std::move(name));
         }
@@ -112,14 +113,17 @@ private:
             input_ = projectShapes(shapes_, direction);
         }
         catch (const CadError& error) {
+            const std::vector<CadPlace> where =
+                error.where().empty() ? std::vector<CadPlace>(1) : error.where();
             std::vector<PlaceName> names;
-            for (const CadPlace& place : error.where()) {
+            for (const CadPlace& place : where) {
                 PlaceName name;
                 name.source = static_cast<std::int64_t>(error.shape());
+                name.element = error.face() == 0 ? "" : "Face" + std::to_string(error.face());
                 name.point = place.point;
                 names.push_back(std::move(name));
             }
-            python::raise(error, names, {});
+            python::raise(CadError(error.kind(), error.what(), where), names, {});
         }
         catch (const Error& error) {
             python::raise(error, {}, {});

@@ -91,6 +91,10 @@ def test_solids_sketches_and_links(document):
     with pytest.raises(tessera.InvalidInputError, match="tilted by 90 degrees") as caught:
         tessera.imprint((box, [bottom]), box)
     assert caught.value.places[0].source == 1
+    assert caught.value.places[0].element == "Face1"
+    with pytest.raises(tessera.InvalidInputError) as caught:
+        tessera.imprint((box, [bottom]), (box, ["Face6", "Face2"]))
+    assert caught.value.places[0].element == "Face2"
 
 
 def test_overlay_gives_part_faces():

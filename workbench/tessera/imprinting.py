@@ -3,12 +3,13 @@
 
 import json
 import os
+from contextlib import contextmanager
 from typing import Any, NamedTuple, Tuple
 
 import numpy as np
 
 from tessera import arrays
-from tessera.errors import InvalidInputError, InvalidOptionError
+from tessera.errors import Error, InvalidInputError, InvalidOptionError
 from tessera.meshing import _FILLS, _RECOVERIES, Execution, _choice, _not_negative, _positive
 from tessera.native import module as native
 from tessera.sources import _items, _looks_like_cad, _prefixes
@@ -151,7 +152,28 @@ class PreparedImprint:
         self.items = items  #: what was given, sources first
 
     def run(self, options, execution, progress):
-        return Imprint(native.imprint(self.data, options, execution, progress))
+        with _named_faces(self.items):
+            return Imprint(native.imprint(self.data, options, execution, progress))
+
+
+@contextmanager
+def _named_faces(items):
+    """Errors of the compiled module count the faces of an item; a link calls them as its object
+    does."""
+    try:
+        yield
+    except Error as error:
+        error.places = [_named(place, items) for place in error.places]
+        raise
+
+
+def _named(place, items):
+    item = items[place.source] if place.source is not None else None
+    if isinstance(item, tuple) and len(item) == 2 and hasattr(item[0], "Shape") and place.element:
+        faces = [item[1]] if isinstance(item[1], str) else [name for name in item[1] if name]
+        if faces:
+            return place._replace(element=faces[int(place.element[len("Face"):]) - 1])
+    return place
 
 
 def prepare_imprint(sources, targets, direction=None):
@@ -169,7 +191,9 @@ def prepare_imprint(sources, targets, direction=None):
     else:
         for number, (item, side) in enumerate(zip(items, sides)):
             _add_plain(data, item, side, number)
-    data.project(_direction(direction))
+    along = _direction(direction)
+    with _named_faces(items):
+        data.project(along)
     return PreparedImprint(data, items)
 
 

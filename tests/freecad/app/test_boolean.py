@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: MIT
+"""Booleans of sketches as document objects."""
+
+import math
+
+import FreeCAD
+import Part
+import pytest
+import sketches
+from FreeCAD import Vector
+
+import tessera
+from tessera.objects.boolean import OPERATIONS, make_boolean
+
+
+def circle(document, name, x, radius=1.0):
+    sketch = sketches.new_sketch(document, name)
+    sketch.addGeometry(Part.Circle(Vector(x, 0, 0), Vector(0, 0, 1), radius), False)
+    document.recompute()
+    return sketch
+
+
+LENS = 2 * math.pi / 3 - math.sqrt(3) / 2
+AREAS = {
+    "Union": 2 * math.pi - LENS,
+    "Intersection": LENS,
+    "Difference": math.pi - LENS,
+    "Symmetric difference": 2 * math.pi - 2 * LENS,
+    "Cells": 2 * math.pi - LENS,
+}
+
+
+@pytest.fixture
+def pair(document):
+    return [circle(document, "A", 0), circle(document, "B", 1)]
+
+
+@pytest.mark.parametrize("operation", OPERATIONS)
+def test_operations(document, pair, operation):
+    obj = make_boolean(pair, operation)
+    document.recompute()
+    assert obj.isValid()
+    assert obj.Shape.isValid()
+    assert obj.Shape.Area == pytest.approx(AREAS[operation], rel=1e-9)
+    assert float(obj.Area) == pytest.approx(AREAS[operation], rel=1e-9)
+    assert all(isinstance(edge.Curve, Part.Circle) for edge in obj.Shape.Edges)
+
+
+def test_it_follows_its_sketches(document, pair):
+    obj = make_boolean(pair, "Intersection")
+    document.recompute()
+    geometry = Part.Circle(Vector(5, 0, 0), Vector(0, 0, 1), 1)
+    pair[1].delGeometry(0)
+    pair[1].addGeometry(geometry, False)
+    document.recompute()
+    assert obj.Cells == 0 and not obj.Shape.Faces
+    pair[1].delGeometry(0)
+    pair[1].addGeometry(Part.Circle(Vector(0, 0, 0), Vector(0, 0, 1), 0.5), False)
+    document.recompute()
+    assert obj.Shape.Area == pytest.approx(0.25 * math.pi)
+
+
+def test_kept_cells_are_found_again(document, pair):
+    obj = make_boolean(pair, "Cells", KeptCells=[Vector(-0.5, 0, 0), Vector(0.5, 0, 0)])
+    document.recompute()
+    assert len(obj.Shape.Faces) == 2 and obj.Cells == 3
+    assert obj.CellSources == ["1", "1+2"] or obj.CellSources == ["1+2", "1"]
+    assert obj.Shape.Area == pytest.approx(math.pi)
+
+
+def test_undo_redo_save_and_reload(document, pair, tmp_path):
+    document.openTransaction("Boolean")
+    obj = make_boolean(pair, "Union")
+    document.recompute()
+    document.commitTransaction()
+    document.openTransaction("Change")
+    obj.Operation = "Intersection"
+    document.recompute()
+    document.commitTransaction()
+    document.undo()
+    assert obj.Shape.Area == pytest.approx(AREAS["Union"])
+    document.redo()
+    assert obj.Shape.Area == pytest.approx(AREAS["Intersection"])
+    name = obj.Name
+    document.saveAs(str(tmp_path / "boolean.FCStd"))
+    FreeCAD.closeDocument(document.Name)
+    opened = FreeCAD.openDocument(str(tmp_path / "boolean.FCStd"))
+    again = opened.getObject(name)
+    assert again.Proxy.Type == "Tessera::Boolean"
+    assert again.Shape.Area == pytest.approx(AREAS["Intersection"])
+    again.Operation = "Difference"
+    opened.recompute()
+    assert again.Shape.Area == pytest.approx(AREAS["Difference"])
+
+
+def test_placed_sketches_give_faces_in_their_plane(document, pair):
+    placement = FreeCAD.Placement(Vector(1, 2, 3), FreeCAD.Rotation(Vector(0, 1, 0), 90))
+    for sketch in pair:
+        sketch.Placement = placement
+    obj = make_boolean(pair, "Union")
+    document.recompute()
+    box = obj.Shape.BoundBox
+    assert (box.XMin, box.XMax) == pytest.approx((1, 1), abs=1e-6)
+    assert obj.Shape.Area == pytest.approx(AREAS["Union"])
+
+
+def test_bad_sources_keep_the_shape_and_are_told(document, pair):
+    obj = make_boolean(pair, "Union")
+    document.recompute()
+    obj.Sources = []
+    document.recompute()
+    assert not obj.isValid()
+    assert "no source" in obj.getStatusString()
+    assert obj.Shape.Area == pytest.approx(AREAS["Union"])
+    with pytest.raises(tessera.Error):
+        tessera.overlay([])
