@@ -3,7 +3,6 @@
 
 import FreeCAD
 import numpy as np
-from PySide import QtGui
 
 from tessera.objects import boolean
 from tessera.taskpanels.cells import CellsPanel, PreviewCell, SourceList
@@ -45,7 +44,7 @@ class BooleanPanel(CellsPanel):
             "source", translate("Tessera", "Sources, the first one first"), self._on_changed
         )
         layout.addWidget(self._sources.box)
-        form = QtGui.QFormLayout()
+        form = self.form_layout()
         self._operation = self.combo("operationField", _operation_texts())
         self._priority = self.combo("priorityField", _priority_texts())
         self._fill = self.combo("fillField", [(name, name) for name in boolean.FILL_RULES])

@@ -42,6 +42,7 @@ class SourceList:
         self.list = QtGui.QListWidget()
         self.list.setObjectName(f"{name}List")
         self.list.setMaximumHeight(90)
+        narrow(self.list)
         self.list.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         add = QtGui.QPushButton(translate("Tessera", "Add selected"))
         add.setObjectName(f"{name}Add")
@@ -49,6 +50,8 @@ class SourceList:
         remove.setObjectName(f"{name}Remove")
         layout = QtGui.QGridLayout(self.box)
         layout.addWidget(self.list, 0, 0, 1, 2)
+        narrow(add)
+        narrow(remove)
         layout.addWidget(add, 1, 0)
         layout.addWidget(remove, 1, 1)
         add.clicked.connect(self._add)
@@ -114,6 +117,8 @@ class CellsPanel:
         inner = QtGui.QVBoxLayout(box)
         self.table = QtGui.QTableWidget(0, 2)
         self.table.setObjectName("cellTable")
+        self.table.setMinimumHeight(170)
+        narrow(self.table)
         self.table.setHorizontalHeaderLabels(
             [translate("Tessera", "Keep"), translate("Tessera", "Area")]
         )
@@ -134,10 +139,18 @@ class CellsPanel:
         ):
             button = QtGui.QPushButton(text)
             button.setObjectName(name)
+            narrow(button)
             button.clicked.connect(slot)
             buttons.addWidget(button)
         inner.addLayout(buttons)
         layout.addWidget(box, 1)
+
+    @staticmethod
+    def form_layout():
+        form = QtGui.QFormLayout()
+        form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+        form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        return form
 
     def _add_message(self, layout):
         row = QtGui.QHBoxLayout()
@@ -154,6 +167,7 @@ class CellsPanel:
     def combo(name, choices):
         """choices: [(value, text)]."""
         field = QtGui.QComboBox()
+        narrow(field)
         field.setObjectName(name)
         for value, text in choices:
             field.addItem(text, value)
@@ -162,6 +176,7 @@ class CellsPanel:
     @staticmethod
     def length_field(name):
         field = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        narrow(field)
         field.setObjectName(name)
         field.setProperty("unit", "mm")
         field.setProperty("minimum", 0.0)
@@ -332,6 +347,14 @@ class CellsPanel:
             document = FreeCADGui.getDocument(self._document_name)
             if document.getInEdit() is not None:
                 document.resetEdit()
+
+
+def narrow(widget):
+    """Lets the widget be as narrow as the task view is."""
+    policy = widget.sizePolicy()
+    policy.setHorizontalPolicy(QtGui.QSizePolicy.Ignored)
+    widget.setSizePolicy(policy)
+    widget.setMinimumWidth(60)
 
 
 def _check(on):

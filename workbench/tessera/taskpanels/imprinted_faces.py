@@ -6,7 +6,7 @@ import numpy as np
 from PySide import QtGui
 
 from tessera.objects import imprinted_faces
-from tessera.taskpanels.cells import CellsPanel, PreviewCell, SourceList
+from tessera.taskpanels.cells import CellsPanel, PreviewCell, SourceList, narrow
 
 translate = FreeCAD.Qt.translate
 
@@ -45,19 +45,28 @@ class ImprintedFacesPanel(CellsPanel):
         self._targets = SourceList("target", translate("Tessera", "Targets"), self._on_changed)
         layout.addWidget(self._sources.box)
         layout.addWidget(self._targets.box)
-        form = QtGui.QFormLayout()
+        form = self.form_layout()
         row = QtGui.QHBoxLayout()
         self._direction = []
         for axis in "XYZ":
             field = QtGui.QDoubleSpinBox()
             field.setObjectName(f"direction{axis}")
+            narrow(field)
             field.setRange(-1e6, 1e6)
             field.setDecimals(4)
+            field.setToolTip(
+                translate("Tessera", "Direction of the sweep; 0, 0, 0: the normal of the sources")
+            )
             row.addWidget(field)
             self._direction.append(field)
         self._tolerance = self.length_field("toleranceField")
-        form.addRow(translate("Tessera", "Direction (0, 0, 0: normal)"), row)
-        form.addRow(translate("Tessera", "Tolerance (0: of the faces)"), self._tolerance)
+        self._tolerance.setToolTip(
+            translate(
+                "Tessera", "Overlaps and gaps up to this width are closed; 0: as the faces need it"
+            )
+        )
+        form.addRow(translate("Tessera", "Direction"), row)
+        form.addRow(translate("Tessera", "Tolerance"), self._tolerance)
         layout.addLayout(form)
 
     def _on_changed(self, *_):
