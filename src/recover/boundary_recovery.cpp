@@ -111,10 +111,13 @@ bool BoundaryRecovery::run(Execution& execution)
             return false;
         }
     }
+    if (!crossingsAreTrue()) {
+        return false;
+    }
     if (const std::vector<std::uint32_t> newName = edit_.closeGaps(); !newName.empty()) {
         chains_.renameVertices(newName, mesh_.points.size());
     }
-    return crossingsAreTrue() && sidesAreTrue();
+    return sidesAreTrue();
 }
 
 bool BoundaryRecovery::recover(std::uint32_t s)
@@ -194,17 +197,20 @@ BoundaryRecovery::Step BoundaryRecovery::next(std::uint32_t s, std::uint32_t fro
 /// The way leads exactly through the vertex.
 BoundaryRecovery::Step BoundaryRecovery::atVertex(std::uint32_t s, std::uint32_t vertex) const
 {
-    const bool passed = isInput(vertex) ? onLine(s, vertex) : passesThrough(s, vertex);
+    const bool passed = isInput(vertex) ? onLine(s, vertex) : meetsAll(s, vertex, {});
     return passed ? Step {Step::Kind::Vertex, vertex} : Step {};
 }
 
-/// Whether the crossing of the segment with another one at the vertex is the vertex.
-bool BoundaryRecovery::passesThrough(std::uint32_t s, std::uint32_t crossingVertex) const
+/// Whether the segment and each other one at the vertex meet there, in the sense of meetHere(); the
+/// given pieces are known to.
+bool BoundaryRecovery::meetsAll(std::uint32_t s, std::uint32_t vertex,
+                                std::span<const Chains::Use> known) const
 {
-    return chains_.anyAt(crossingVertex, [&](std::uint32_t other) {
-        return meetInPoint(start(s), end(s), start(other), end(other))
-            && crossLines(start(s), end(s), start(other), end(other)).point
-            == mesh_.points[crossingVertex];
+    return !chains_.anyAt(vertex, [&](std::uint32_t other) {
+        const bool isKnown = std::any_of(known.begin(), known.end(), [&](const Chains::Use& use) {
+            return use.segment == other;
+        });
+        return !isKnown && other != s && !meetHere(s, other, vertex);
     });
 }
 
@@ -262,11 +268,13 @@ std::uint32_t BoundaryRecovery::cross(std::uint32_t s, std::uint32_t from, HalfE
         || !sameWay(step.y, direction.y)) {
         return kNone;
     }
-    if (p == mesh_.points[u]) {
-        return u;
-    }
-    if (p == mesh_.points[v]) {
-        return v;
+    for (const std::uint32_t end : {u, v}) {
+        if (p == mesh_.points[end]) {
+            if (isInput(end)) {
+                doubtful_.push_back(end);
+            }
+            return isInput(end) || meetsAll(s, end, uses_) ? end : kNone;
+        }
     }
     if (!edit_.splitsEdge(edge, p)) {
         return crossBeside(u, v, edge, crossing);
@@ -274,6 +282,9 @@ std::uint32_t BoundaryRecovery::cross(std::uint32_t s, std::uint32_t from, HalfE
     const std::uint32_t vertex = edit_.splitEdge(edge, p);
     countCrossing(vertex, crossing.residual);
     leadThrough(vertex);
+    if (uses_.size() > 1) {
+        doubtful_.push_back(vertex);
+    }
     return vertex;
 }
 
@@ -316,6 +327,7 @@ std::uint32_t BoundaryRecovery::crossBeside(std::uint32_t u, std::uint32_t v, Ha
         countCrossing(vertex, crossing.residual);
     }
     leadThrough(vertex);
+    doubtful_.push_back(vertex);
     return edit_.constrain(u, vertex) && edit_.constrain(vertex, v) ? vertex : kNone;
 }
 
@@ -376,48 +388,38 @@ bool BoundaryRecovery::touches(std::uint32_t x, std::uint32_t y, std::uint32_t z
 
 /// Whether segments that share a vertex cross there, if they cross at all. Otherwise three that
 /// meet almost in one point have been led through one vertex, or through two or three, as their
-/// order would have it.
-bool BoundaryRecovery::crossingsAreTrue() const
+/// order would have it. Looks at the vertices where that was not seen on the way.
+bool BoundaryRecovery::crossingsAreTrue()
 {
-    std::vector<std::uint32_t> all;
-    std::vector<std::uint32_t> rounded;
-    for (std::uint32_t v = 1; v < chains_.vertexCount(); ++v) {
-        if (chains_.degree(v) < 2 || (!isInput(v) && chains_.degree(v) == 2)) {
-            continue; // at a crossing of two it is the one
-        }
-        all.clear();
-        rounded.clear();
-        chains_.forEachAt(v, [&](std::uint32_t, std::uint32_t s, std::uint32_t previous,
-                                 std::uint32_t next) {
-            const bool isEnd = previous == kNone || next == kNone;
-            if (!isInput(v) || (!isEnd && !onLine(s, v))) {
-                rounded.push_back(s);
-            }
-            all.push_back(s);
+    std::sort(doubtful_.begin(), doubtful_.end());
+    doubtful_.erase(std::unique(doubtful_.begin(), doubtful_.end()), doubtful_.end());
+    return std::all_of(doubtful_.begin(), doubtful_.end(), [this](std::uint32_t vertex) {
+        return !chains_.anyAt(vertex, [&](std::uint32_t s) {
+            const bool isExact = isInput(vertex)
+                && (segments_[s].a == vertex || segments_[s].b == vertex || onLine(s, vertex));
+            return !isExact && !meetsAll(s, vertex, {});
         });
-        for (const std::uint32_t s : rounded) {
-            for (const std::uint32_t other : all) {
-                if (s != other && !meetHere(s, other, v)) {
-                    return false;
-                }
-            }
-        }
-    }
-    return true;
+    });
 }
 
-/// Whether the two segments lie on one line or cross at the vertex; at an input vertex, or do not
-/// meet in one point.
+/// Whether two segments lie on one line or cross at the vertex. At an input vertex they may also
+/// both be near it without meeting: the vertex is what it is.
 bool BoundaryRecovery::meetHere(std::uint32_t s, std::uint32_t other, std::uint32_t vertex) const
 {
     const Vec2 a = start(s);
     const Vec2 b = end(s);
     const Vec2 c = start(other);
     const Vec2 d = end(other);
-    if (!meetInPoint(a, b, c, d)) {
-        return isInput(vertex) || (orient2d(a, b, c) == 0 && orient2d(a, b, d) == 0);
+    const int sideC = orient2d(a, b, c);
+    const int sideD = orient2d(a, b, d);
+    if (sideC == 0 && sideD == 0) {
+        return true;
     }
-    return crossLines(a, b, c, d).point == mesh_.points[vertex];
+    if (isInput(vertex) && !meetInPoint(a, b, c, d)) {
+        return true;
+    }
+    // Crossing vertices are inside both: what crosses the line there crosses the segment.
+    return sideC * sideD <= 0 && crossLines(a, b, c, d).point == mesh_.points[vertex];
 }
 
 /// Whether every vertex next to a constrained edge is on the side of its segments where it truly

@@ -62,12 +62,12 @@ private:
     void countCrossing(std::uint32_t vertex, Vec2 residual);
     bool pickUpTouches(std::uint32_t x, std::uint32_t y);
     bool touches(std::uint32_t x, std::uint32_t y, std::uint32_t z);
-    bool crossingsAreTrue() const;
+    bool crossingsAreTrue();
     bool meetHere(std::uint32_t s, std::uint32_t other, std::uint32_t vertex) const;
     bool sidesAreTrue() const;
     bool apexIsTrue(HalfEdge edge) const;
 
-    bool passesThrough(std::uint32_t s, std::uint32_t crossingVertex) const;
+    bool meetsAll(std::uint32_t s, std::uint32_t vertex, std::span<const Chains::Use> known) const;
     bool onLine(std::uint32_t s, std::uint32_t vertex) const;
     bool isAhead(std::uint32_t s, std::uint32_t from, std::uint32_t vertex) const;
     bool isFlat(std::uint32_t x, std::uint32_t y, std::uint32_t z) const;
@@ -86,6 +86,7 @@ private:
     RecoveryReport report_;
     SteinerPoints steinerPoints_;
     std::vector<Chains::Use> uses_; ///< the pieces that a new vertex goes into
+    std::vector<std::uint32_t> doubtful_; ///< vertices whose segments are still to be compared
 };
 
 } // namespace tessera
