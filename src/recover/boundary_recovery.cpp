@@ -24,14 +24,18 @@
 //
 // Ill-conditioned: a piece meets a constraint that the original does not cross, or crosses again;
 // an order along a segment that rounding turned over; a vertex exactly on a piece although its
-// segment does not pass it; in the end, a vertex where segments meet that cross elsewhere, or one
-// beside a piece on the wrong side of its segment. All these end the run; snap rounding takes over
-// (snap_rounding.h). Vertices and segments whose true distances exceed some units in the last place
-// of the greatest coordinate never cause them.
+// segment does not pass it; a vertex where segments meet that cross elsewhere; in the end, a
+// triangle with a rounded vertex so thin that rounding could have turned it over. All these end the
+// run; snap rounding takes over (snap_rounding.h). Vertices and segments whose true distances exceed
+// some units in the last place of the greatest coordinate never cause them.
 //
-// Otherwise the vertices are those of the input and the rounded crossings of all pairs of segments,
-// no more and no fewer: each chain has the crossings that it should (the invariant), and lacks none,
-// as two segments that cross share a vertex (sides are true), where they cross (crossings are true).
+// Otherwise the result is the arrangement of the original segments, whatever their order and the
+// strategy; its vertices are those of the input and the rounded crossings of all pairs.
+// Proof: the least height of a triangle is the least distance of a vertex from an edge that does not
+// end there: the way from one to the other leaves the vertex through the opposite side, which is as
+// near, or along a side, and then another height is less. So every vertex is farther from every
+// piece that does not end there than rounding has moved their segments, and segments whose chains
+// share no vertex do not cross. Those that share one cross there (crossingsAreTrue()).
 //
 // It ends: every step adds an incidence (segment, vertex), and there are finitely many crossings.
 // Cost: the triangles crossed by the pieces, and a constant number of flips and exact signs each.
@@ -71,9 +75,10 @@ bool inBox(Vec2 a, Vec2 b, Vec2 p)
         && p.y <= std::max(a.y, b.y);
 }
 
-/// With all coordinates at most 1, a true point of a line moves by at most 2^-54 in x and in y when
-/// rounded. So the cross product d x e of three points of one line is at most 2^-52 (|d.x| + |d.y|)
-/// afterwards; computing it adds less than that.
+/// With all coordinates at most 1, a true point moves by at most 2^-54 in x and in y when rounded. So
+/// the cross product d x e of three points of one line is at most 2^-52 (|d.x| + |d.y|) afterwards;
+/// computing it adds less than that. As a height of triangles, that is 8 times what moving all three
+/// corners does.
 constexpr double kFlat = 0x1p-49;
 
 /// The factor for that.
@@ -117,7 +122,7 @@ bool BoundaryRecovery::run(Execution& execution)
     if (const std::vector<std::uint32_t> newName = edit_.closeGaps(); !newName.empty()) {
         chains_.renameVertices(newName, mesh_.points.size());
     }
-    return sidesAreTrue();
+    return trianglesAreTrue();
 }
 
 bool BoundaryRecovery::recover(std::uint32_t s)
@@ -422,10 +427,14 @@ bool BoundaryRecovery::meetHere(std::uint32_t s, std::uint32_t other, std::uint3
     return sideC * sideD <= 0 && crossLines(a, b, c, d).point == mesh_.points[vertex];
 }
 
-/// Whether every vertex next to a constrained edge is on the side of its segments where it truly
-/// is. Otherwise rounding has hidden a crossing, or would let the order of the segments decide.
-bool BoundaryRecovery::sidesAreTrue() const
+/// Whether no triangle is so thin that rounding its corners could turn it over. Triangles of exact
+/// vertices do not count: they are what they are.
+bool BoundaryRecovery::trianglesAreTrue() const
 {
+    const auto isRounded = [this](std::uint32_t vertex) {
+        return !isInput(vertex)
+            || std::binary_search(doubtful_.begin(), doubtful_.end(), vertex);
+    };
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
         if (!mesh_.isFinite(t)) {
             continue;
@@ -433,42 +442,15 @@ bool BoundaryRecovery::sidesAreTrue() const
         const auto& v = mesh_.triangles[t].v;
         const Vec2 d = unscale_ * (mesh_.points[v[1]] - mesh_.points[v[0]]);
         const Vec2 e = unscale_ * (mesh_.points[v[2]] - mesh_.points[v[0]]);
-        const double reach = std::max({std::fabs(d.x) + std::fabs(d.y),
-                                       std::fabs(e.x) + std::fabs(e.y),
-                                       std::fabs(e.x - d.x) + std::fabs(e.y - d.y)});
-        if (std::fabs(tessera::cross(d, e)) <= kFlat * reach) { // seen from any corner
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                const HalfEdge edge = Topology::halfEdge(t, i);
-                if (mesh_.isConstrained(edge) && !apexIsTrue(edge)) {
-                    return false;
-                }
-            }
+        const double longest = std::max({std::fabs(d.x) + std::fabs(d.y),
+                                         std::fabs(e.x) + std::fabs(e.y),
+                                         std::fabs(e.x - d.x) + std::fabs(e.y - d.y)});
+        if (std::fabs(tessera::cross(d, e)) <= kFlat * longest
+            && std::any_of(std::begin(v), std::end(v), isRounded)) {
+            return false;
         }
     }
     return true;
-}
-
-bool BoundaryRecovery::apexIsTrue(HalfEdge edge) const
-{
-    const std::uint32_t x = mesh_.origin(edge);
-    const std::uint32_t y = mesh_.destination(edge);
-    const std::uint32_t z = mesh_.apex(edge);
-    const Vec2 from = mesh_.points[x];
-    const Vec2 to = mesh_.points[y];
-    const bool beside = compareAlong(from, to, mesh_.points[z], from) > 0
-        && compareAlong(from, to, mesh_.points[z], to) < 0;
-    if (!beside || (isInput(x) && isInput(y) && isInput(z))) {
-        return true;
-    }
-    if (!isInput(z)) {
-        return false;
-    }
-    bool isTrue = true;
-    chains_.forEachUse(x, y, [&](const Chains::Use& use) {
-        const int side = orient2d(start(use.segment), end(use.segment), mesh_.points[z]);
-        isTrue = isTrue && side == (use.forward ? 1 : -1);
-    });
-    return isTrue;
 }
 
 } // namespace tessera

@@ -64,8 +64,7 @@ private:
     bool touches(std::uint32_t x, std::uint32_t y, std::uint32_t z);
     bool crossingsAreTrue();
     bool meetHere(std::uint32_t s, std::uint32_t other, std::uint32_t vertex) const;
-    bool sidesAreTrue() const;
-    bool apexIsTrue(HalfEdge edge) const;
+    bool trianglesAreTrue() const;
 
     bool meetsAll(std::uint32_t s, std::uint32_t vertex, std::span<const Chains::Use> known) const;
     bool onLine(std::uint32_t s, std::uint32_t vertex) const;
