@@ -63,6 +63,14 @@ bool meetInPoint(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
         && orient2d(c, d, a) * orient2d(c, d, b) <= 0;
 }
 
+/// Whether lines in these directions, each coordinate rounded once, are not parallel; quick.
+bool surelyCross(Vec2 u, Vec2 v)
+{
+    const double left = u.x * v.y;
+    const double right = u.y * v.x;
+    return std::fabs(left - right) > 0x1p-50 * (std::fabs(left) + std::fabs(right));
+}
+
 /// v is zero or points the same way as direction, which is not backward in either axis.
 bool sameWay(double v, double direction)
 {
@@ -287,14 +295,12 @@ std::uint32_t BoundaryRecovery::cross(std::uint32_t s, std::uint32_t from, HalfE
     const std::uint32_t vertex = edit_.splitEdge(edge, p);
     countCrossing(vertex, crossing.residual);
     leadThrough(vertex);
-    if (uses_.size() > 1) {
-        doubtful_.push_back(vertex);
-    }
     return vertex;
 }
 
 /// The one crossing of the segment with all segments on the edge, which uses_ then has. False if
-/// there is none: they do not cross, or not in one point.
+/// there is none: they do not cross, or not in one point. Those on the edge share two vertices, so
+/// that they do not cross each other.
 bool BoundaryRecovery::findCrossing(std::uint32_t s, HalfEdge edge, Crossing& crossing)
 {
     uses_.clear();
@@ -407,24 +413,26 @@ bool BoundaryRecovery::crossingsAreTrue()
     });
 }
 
-/// Whether two segments lie on one line or cross at the vertex. At an input vertex they may also
-/// both be near it without meeting: the vertex is what it is.
+/// Whether two segments through the vertex lie on one line or cross there. At an input vertex they
+/// may also both be near it without meeting: the vertex is what it is.
 bool BoundaryRecovery::meetHere(std::uint32_t s, std::uint32_t other, std::uint32_t vertex) const
 {
     const Vec2 a = start(s);
     const Vec2 b = end(s);
     const Vec2 c = start(other);
     const Vec2 d = end(other);
-    const int sideC = orient2d(a, b, c);
-    const int sideD = orient2d(a, b, d);
-    if (sideC == 0 && sideD == 0) {
-        return true;
+    // A crossing vertex is inside both: their lines tell all.
+    if (isInput(vertex) || !surelyCross(b - a, d - c)) {
+        const int sideC = orient2d(a, b, c);
+        const int sideD = orient2d(a, b, d);
+        if ((sideC == 0 && sideD == 0) || (isInput(vertex) && !meetInPoint(a, b, c, d))) {
+            return true;
+        }
+        if (sideC * sideD > 0) {
+            return false;
+        }
     }
-    if (isInput(vertex) && !meetInPoint(a, b, c, d)) {
-        return true;
-    }
-    // Crossing vertices are inside both: what crosses the line there crosses the segment.
-    return sideC * sideD <= 0 && crossLines(a, b, c, d).point == mesh_.points[vertex];
+    return crossLines(a, b, c, d).point == mesh_.points[vertex];
 }
 
 /// Whether no triangle is so thin that rounding its corners could turn it over. Triangles of exact
