@@ -48,7 +48,8 @@ def test_resources_are_well_formed():
     assert len(files) >= 4
     for file in files:
         ElementTree.parse(file)
-    for icon in ("tessera", "tessera_mesh_sketch", "tessera_planar_mesh"):
+    icons = ("", "_mesh_sketch", "_planar_mesh", "_boolean", "_imprint_faces")
+    for icon in (f"tessera{name}" for name in icons):
         assert Path(resources.icon(icon)).is_file()
     assert Path(resources.form("planar_mesh")).is_file()
 

@@ -22,7 +22,7 @@ def run(name):
 
 def test_all_macros_are_tested():
     names = {path.stem for path in Path(resources.folder("macros")).iterdir()}
-    assert names == {"mesh_sketch", "size_study", "plate_in_calculix"}
+    assert names == {"mesh_sketch", "size_study", "plate_in_calculix", "imprint_faces"}
 
 
 def test_mesh_sketch(document):
@@ -66,6 +66,15 @@ def test_plate_in_calculix(tmp_path, monkeypatch):
     # The hole takes 24 of 60 mm, so the plate gives way more than without, and less than if a slot
     # of that width went all along it.
     assert 1.05 * whole < found < whole * 60 / (60 - 24)
+
+
+def test_imprint_faces():
+    scope = run("imprint_faces")
+    obj = scope["imprinted"]
+    assert obj.isValid() and obj.Shape.isValid()
+    assert obj.Cells == 10 and not obj.LeftPlaces
+    assert float(obj.Area) == pytest.approx(96.0)
+    FreeCAD.closeDocument(obj.Document.Name)
 
 
 @pytest.mark.parametrize("name", ["mesh_sketch", "size_study"])

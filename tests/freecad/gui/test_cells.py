@@ -34,7 +34,7 @@ class CellPanel(window.Panel):
         model = self.widget("cellTable").model()
         return [
             (
-                model.index(row, 0).data(),
+                model.index(row, 0).data().split("\n")[0],
                 model.index(row, 0).data(QtCore.Qt.CheckStateRole) == int(QtCore.Qt.Checked),
             )
             for row in range(model.rowCount())

@@ -113,15 +113,13 @@ class CellsPanel:
     # Form
 
     def _add_table(self, layout):
-        box = QtGui.QGroupBox(translate("Tessera", "Cells"))
+        box = QtGui.QGroupBox(translate("Tessera", "Cells to keep"))
         inner = QtGui.QVBoxLayout(box)
-        self.table = QtGui.QTableWidget(0, 2)
+        self.table = QtGui.QTableWidget(0, 1)
         self.table.setObjectName("cellTable")
         self.table.setMinimumHeight(170)
         narrow(self.table)
-        self.table.setHorizontalHeaderLabels(
-            [translate("Tessera", "Keep"), translate("Tessera", "Area")]
-        )
+        self.table.horizontalHeader().setVisible(False)
         self.table.setToolTip(
             translate("Tessera", "Which cells are kept; a click in the 3D view changes it too.")
         )
@@ -231,7 +229,8 @@ class CellsPanel:
         self._listing = True
         self.table.setRowCount(len(self._cells))
         for row, cell in enumerate(self._cells):
-            item = QtGui.QTableWidgetItem(cell.text)
+            area = FreeCAD.Units.Quantity(cell.area, FreeCAD.Units.Area).UserString
+            item = QtGui.QTableWidgetItem(f"{cell.text}\n{area}")
             item.setFlags(
                 QtCore.Qt.ItemIsUserCheckable
                 | QtCore.Qt.ItemIsEnabled
@@ -242,12 +241,11 @@ class CellsPanel:
             swatch.fill(QtGui.QColor.fromRgbF(*cells.color(row)))
             item.setIcon(QtGui.QIcon(swatch))
             self.table.setItem(row, 0, item)
-            area = FreeCAD.Units.Quantity(cell.area, FreeCAD.Units.Area).UserString
-            self.table.setItem(row, 1, QtGui.QTableWidgetItem(area))
+        self.table.resizeRowsToContents()
         self._listing = False
 
     def _on_item(self, item):
-        if self._listing or item.column() != 0:
+        if self._listing:
             return
         if item.checkState() == QtCore.Qt.Checked:
             self._kept.add(item.row())
