@@ -8,27 +8,15 @@
 //
 // Both ways to recover are shown; the direct one is the default.
 
-#include "../tests/cpp/recover/generators.h"
-#include "section.h"
+#include "recover_engines.h"
 
-#include "base/execution.h"
-#include "delaunay/delaunay.h"
-#include "recover/recover.h"
-
-#ifdef TESSERA_HAS_CGAL
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#endif
 #ifdef TESSERA_HAS_GEOS
 #include "geos_peer.h"
 #endif
 
-#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace
 {
@@ -58,55 +46,19 @@ RawPslg uniformPoints(std::size_t n, std::size_t segments)
     return raw;
 }
 
-void runTessera(Result& result, const RawPslg& raw, RecoveryStrategy strategy)
-{
-    Execution execution;
-    DelaunayResult delaunay = triangulate(raw.points, execution);
-    std::vector<ConstraintEnds> ends(raw.segments.size());
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        ends[i] = {delaunay.vertexOfPoint[raw.segments[i].first],
-                   delaunay.vertexOfPoint[raw.segments[i].second]};
-    }
-    const RecoveryResult recovery
-        = recoverBoundaries(std::move(delaunay.triangulation), ends, strategy, execution);
-    result.vertices = recovery.triangulation.vertexCount();
-}
-
-#ifdef TESSERA_HAS_CGAL
-template<class Kernel, class Tag>
-Section::Run cgalRun(const RawPslg& raw)
-{
-    std::vector<typename Kernel::Point_2> points;
-    for (const Vec2 p : raw.points) {
-        points.emplace_back(p.x, p.y);
-    }
-    const std::vector<std::pair<std::size_t, std::size_t>> segments(raw.segments.begin(),
-                                                                    raw.segments.end());
-    return [points, segments](Result& result) {
-        CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Default, Tag> mesh;
-        mesh.insert_constraints(points.begin(), points.end(), segments.begin(), segments.end());
-        result.vertices = mesh.number_of_vertices();
-    };
-}
-#endif
-
 void addInput(Section& section, const std::string& name, const RawPslg& raw,
               const Expectation& expectation)
 {
     const Input input = std::make_shared<const RawPslg>(raw);
     section.add(name, "Tessera", [input](Result& result) {
-        runTessera(result, *input, RecoveryStrategy::Cavity);
+        bench::runTessera(result, *input, RecoveryStrategy::Cavity);
     });
     section.add(name, "Tessera, paper's way", [input](Result& result) {
-        runTessera(result, *input, RecoveryStrategy::Steiner);
+        bench::runTessera(result, *input, RecoveryStrategy::Steiner);
     });
 #ifdef TESSERA_HAS_CGAL
-    using namespace CGAL;
-    section.add(name, "CGAL inexact",
-                cgalRun<Exact_predicates_inexact_constructions_kernel, Exact_predicates_tag>(raw));
-    section.add(name, "CGAL exact",
-                cgalRun<Exact_predicates_exact_constructions_kernel, Exact_intersections_tag>(raw),
-                kSlow);
+    section.add(name, "CGAL inexact", bench::cgalInexact(raw));
+    section.add(name, "CGAL exact", bench::cgalExact(raw), kSlow);
 #endif
 #ifdef TESSERA_HAS_GEOS
     const bench::GeosGeometry lines = bench::geosLines(raw.points, raw.segments);
