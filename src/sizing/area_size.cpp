@@ -94,11 +94,16 @@ private:
 class AreaSizeBuilder
 {
 public:
+    /// Thrown where a size is no number above 0 in a place that is not meshed.
+    struct BadOutside
+    {};
+
     AreaSizeBuilder(AreaSize& field, std::span<const AreaSource> sources,
-                    const AreaSize::Options& options, Execution& execution)
+                    const AreaSize::Options& options, bool ignoreOutside, Execution& execution)
         : field_(field)
         , sources_(sources)
         , options_(options)
+        , ignoreOutside_(ignoreOutside)
         , execution_(execution)
         , slope_(kSlopeShare * options.growth)
     {}
@@ -139,19 +144,37 @@ private:
     double wanted(Vec2 p) const
     {
         double least = options_.maxSize;
+        if (ignoreOutside_ && isOutside(p)) {
+            return std::max(least, options_.minSize);
+        }
         for (const AreaSource& source : sources_) {
             const double h = source.size(p);
             if (!(h > 0.0) || (source.asksEverywhere && std::isinf(h))) {
+                if (isOutside(p)) {
+                    throw BadOutside();
+                }
                 char text[400];
                 std::snprintf(text, sizeof text,
-                              "%.200s is %.6g at (%.6g, %.6g); it must be a number above 0 "
-                              "wherever there are curves and between them.",
+                              "%.200s is %.6g at (%.6g, %.6g); it must be a number above 0 in all "
+                              "that is meshed, as with max(..., 0.1).",
                               source.name.c_str(), h, p.x, p.y);
                 throw Error(ErrorKind::InvalidOption, text, {{p}});
             }
             least = std::min(least, h);
         }
         return std::max(least, options_.minSize);
+    }
+
+    /// Neither the place nor any other that close to it is meshed: what lies on a boundary is.
+    bool isOutside(Vec2 p) const
+    {
+        if (!options_.inside) {
+            return false;
+        }
+        const double step = 1e-6 * field_.box_.diagonal();
+        const std::array<Vec2, 5> places {p, {p.x - step, p.y - step}, {p.x + step, p.y - step},
+                                          {p.x - step, p.y + step}, {p.x + step, p.y + step}};
+        return std::none_of(places.begin(), places.end(), options_.inside);
     }
 
     Vec2 positionOf(std::uint32_t x, std::uint32_t y) const
@@ -392,6 +415,7 @@ private:
     AreaSize& field_;
     std::span<const AreaSource> sources_;
     const AreaSize::Options& options_;
+    bool ignoreOutside_;
     Execution& execution_;
     double slope_;
     Vec2 side_ {}; ///< of a root
@@ -407,7 +431,12 @@ AreaSize::AreaSize(const Box2& box, std::span<const AreaSource> sources, const O
     : box_(box)
     , growth_(options.growth)
 {
-    AreaSizeBuilder(*this, sources, options, execution).run();
+    try {
+        AreaSizeBuilder(*this, sources, options, false, execution).run();
+    }
+    catch (const AreaSizeBuilder::BadOutside&) {
+        AreaSizeBuilder(*this, sources, options, true, execution).run();
+    }
     const double width = box.max.x - box.min.x;
     const double height = box.max.y - box.min.y;
     perRoot_ = {width > 0.0 ? countX_ / width : 0.0, height > 0.0 ? countY_ / height : 0.0};

@@ -49,6 +49,9 @@ public:
         double maxSize;
         double minSize = 0.0;
         double growth = 0.3; ///< 0 < growth
+        /// Whether a place is to be meshed. Null: all of the box is. Where a source gives no number
+        /// above 0 in a place that is not, no source asks for anything in such places.
+        std::function<bool(Vec2)> inside {};
     };
 
     /// Outside of the box, the value at the nearest point of it holds. Throws Error(InvalidOption)

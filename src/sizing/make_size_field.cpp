@@ -145,7 +145,7 @@ std::unique_ptr<SizeField> makeSizeField(const CurveNetwork& network,
     if (!options.local.areas.empty() && !box.empty()) {
         const double uniform = base->uniformSize();
         const AreaSize::Options areaOptions {uniform > 0.0 ? uniform : kUnbounded, options.minSize,
-                                             options.growth};
+                                             options.growth, options.inside};
         auto areas =
             std::make_shared<AreaSize>(box, options.local.areas, areaOptions, execution);
         if (uniform > 0.0) {

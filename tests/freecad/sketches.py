@@ -41,6 +41,27 @@ def plate(document, name="Plate"):
     return sketch
 
 
+def write_sizes(path):
+    """A .vtu file over the plate with the sizes 0.8 at its left edge and 8 at its right one, as the
+    point data "size", beside others."""
+    points = "0 0 0  100 0 0  100 60 0  0 60 0"
+    path.write_text(
+        '<?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="0.1" '
+        'byte_order="LittleEndian"><UnstructuredGrid>'
+        '<Piece NumberOfPoints="4" NumberOfCells="2"><PointData>'
+        '<DataArray type="Float64" Name="move" NumberOfComponents="3" format="ascii">'
+        "0 0 0  0 0 0  0 0 0  0 0 0</DataArray>"
+        '<DataArray type="Float64" Name="size" format="ascii">0.8 8 8 0.8</DataArray></PointData>'
+        '<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">'
+        f"{points}</DataArray></Points>"
+        '<Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 0 2 3</DataArray>'
+        '<DataArray type="Int64" Name="offsets" format="ascii">3 6</DataArray>'
+        '<DataArray type="UInt8" Name="types" format="ascii">5 5</DataArray></Cells>'
+        "</Piece></UnstructuredGrid></VTKFile>",
+        encoding="ascii",
+    )
+
+
 def empty(document):
     sketch = new_sketch(document, "Empty")
     document.recompute()

@@ -76,6 +76,10 @@ def test_in_one_of_two_faces():
     assert mean_edge(mesh, (0.5, 2), 1.0) > 0.5
     around = tessera.mesh(Part.Compound([left, right]), 1.0, size_in=[(Vector(6, 2, 0), 0.2)])
     assert mean_edge(around, (6, 2), 1.5) == pytest.approx(0.2, rel=0.1)
+    face = tessera.mesh(Part.Compound([left, right]), 1.0, size_in=[("Face2", 0.2)])
+    assert mean_edge(face, (6, 2), 1.5) == pytest.approx(0.2, rel=0.1)
+    with pytest.raises(tessera.InvalidOptionError, match="no face called 'Face3'"):
+        tessera.mesh(Part.Compound([left, right]), 1.0, size_in=[("Face3", 0.2)])
     with pytest.raises(tessera.InvalidOptionError, match="no source called 5"):
         tessera.mesh([left, right], 1.0, size_in={5: 0.2})
 

@@ -72,6 +72,14 @@ def test_gaps_expressions_and_curvature():
     assert mean_edge(both, near((9, 3), 0.4)) == pytest.approx(0.15, rel=0.15)
 
 
+def test_expressions_count_where_there_is_something_to_mesh():
+    corner = [(0, 0), (10, 0), (10, 2), (2, 2), (2, 10), (0, 10)]
+    mesh = tessera.mesh(corner, 1.0, size_expr="1.4 - 0.1*(x + y)")  # below 0 between the legs
+    assert mean_edge(mesh, near((9.5, 1.5), 0.4)) == pytest.approx(0.3, rel=0.15)
+    with pytest.raises(tessera.InvalidOptionError, match=r"above 0 in all that is meshed.*max"):
+        tessera.mesh(corner, 1.0, size_expr="1.1 - 0.1*(x + y)")
+
+
 def test_sizes_from_another_mesh(tmp_path):
     coarse = tessera.mesh(PLATE, 1.0)
     sizes = 0.1 + 0.05 * coarse.nodes[:, 0]

@@ -80,7 +80,8 @@ def mesh(
                   radius, and (..., size, radius, far_size, far_radius), which then grows linearly.
     size_on       {curve: size} or [(curve or list of curves, size)]; curves as for constraint.
     size_in       {operand: size} or [(operand, size)]: numbers from 0 or names; or the region
-                  around a place: [((x, y), size)].
+                  around a place: [((x, y), size)]; or a face of a shape: "Face2",
+                  (object, "Face2").
     size_expr     text in x and y, or a list of texts: "0.1 + 0.05*x".
     size_from     sizes at the nodes of another mesh: "FILE.vtu:ARRAY", (nodes, triangles, sizes) or
                   (tessera.Mesh, sizes); or a list of these.

@@ -126,7 +126,7 @@ def _elements(elements):
 def _in_plane(prepared, place):
     """(x, y) in the frame of the plane of (x, y) there, or of a point or vertex in space."""
     if isinstance(place, str) or (isinstance(place, tuple) and hasattr(place[0], "Shape")):
-        place = prepared.vertex(place)
+        place = prepared.place(place)
     try:
         values = [number("size_at", v) for v in place]
     except TypeError as error:
@@ -139,7 +139,8 @@ def _in_plane(prepared, place):
 
 
 def _add_region(sizes, prepared, place, size):
-    if _is_number(place) or isinstance(place, str):
+    is_face = isinstance(place, str) and place.startswith("Face") and place[4:].isdigit()
+    if not is_face and (_is_number(place) or isinstance(place, str)):
         for operand in prepared.operands(place):
             sizes.add_operand(operand, size)
     else:

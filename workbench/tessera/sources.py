@@ -32,9 +32,9 @@ class Prepared:
             for curve in self.network.curves_of(source, number)
         ]
 
-    def vertex(self, element):
-        """The point in space of "Vertex3" or (object, "Vertex3")."""
-        return self._names.vertex(element)
+    def place(self, element):
+        """The point in space of "Vertex3" or (object, "Vertex3"); of a face, a point inside."""
+        return self._names.place(element)
 
     def operands(self, element):
         """Ids of the operands of a source, by its number from 0 or its name."""
@@ -155,7 +155,7 @@ class ArrayNames:
             raise InvalidOptionError(_nothing_called(element))
         return int(element)
 
-    def vertex(self, element):
+    def place(self, element):
         raise InvalidOptionError(f"Arrays have no {element!r}; give the place as (x, y).")
 
 
@@ -262,7 +262,7 @@ class CadNames:
             f"their labels: {', '.join(map(repr, prefixes))}."
         )
 
-    def vertex(self, element):
+    def place(self, element):
         owners = [source.owner for source in self._sources]
         if isinstance(element, tuple):
             owner, name = element
@@ -270,14 +270,26 @@ class CadNames:
         else:
             owner, name = owners[0], element
         shape = getattr(owner, "Shape", owner)
-        number = int(name[len("Vertex"):]) if name.startswith("Vertex") and \
-            name[len("Vertex"):].isdigit() else 0
-        if not 1 <= number <= len(shape.Vertexes):
+        for kind, elements in (("Vertex", shape.Vertexes), ("Face", shape.Faces)):
+            digits = name[len(kind):]
+            if not name.startswith(kind) or not digits.isdigit():
+                continue
+            if 1 <= int(digits) <= len(elements):
+                chosen = elements[int(digits) - 1]
+                return tuple(chosen.Point if kind == "Vertex" else _point_inside(chosen))
             raise InvalidOptionError(
-                f"There is no vertex called {name!r}; there are {len(shape.Vertexes)}, from "
-                "'Vertex1' on."
+                f"There is no {kind.lower()} called {name!r}; there are {len(elements)}, from "
+                f"'{kind}1' on."
             )
-        return tuple(shape.Vertexes[number - 1].Point)
+        raise InvalidOptionError(f"{name!r} is no place; give a vertex, such as 'Vertex1'.")
+
+
+def _point_inside(face):
+    """The middle of the largest triangle of its picture."""
+    points, triangles = face.tessellate(0.01 * face.BoundBox.DiagonalLength)
+    corners = [[points[i] for i in triangle] for triangle in triangles]
+    a, b, c = max(corners, key=lambda t: (t[1] - t[0]).cross(t[2] - t[0]).Length)
+    return (a + b + c) / 3.0
 
 
 def _to_frame(source, base):

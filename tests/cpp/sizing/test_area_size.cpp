@@ -182,6 +182,23 @@ TEST(AreaSize, RefusesSizesThatAreNotPositiveNamingThePlace)
     }
 }
 
+TEST(AreaSize, WhatIsNotMeshedMayHaveAnySize)
+{
+    Execution execution;
+    const std::vector<AreaSource> sources {
+        {"The size expression 'x - 5'", [](Vec2 p) { return p.x - 5.0; }}};
+    AreaSize::Options options {.maxSize = 4.0, .growth = 0.3};
+    options.inside = [](Vec2 p) { return p.x > 6.0; };
+    const AreaSize field(kBox, sources, options, execution);
+    for (double x = 6.001; x < 10.0; x += 0.01) {
+        // Limited in growth, from the smallest size that is meshed.
+        const double expected = std::min(x - 5.0, 1.0 + 0.3 * (x - 6.0));
+        EXPECT_NEAR(field.size({x, 3.0}), expected, 0.05 * expected) << x;
+    }
+    options.inside = [](Vec2 p) { return p.x > 5.0; };
+    EXPECT_THROW(AreaSize(kBox, sources, options, execution), Error);
+}
+
 TEST(AreaSize, CanBeCancelled)
 {
     Execution execution;

@@ -9,6 +9,7 @@ import FreeCAD
 import pytest
 import sketches
 
+import tessera
 from tessera.tools import resources
 
 
@@ -22,7 +23,13 @@ def run(name):
 
 def test_all_macros_are_tested():
     names = {path.stem for path in Path(resources.folder("macros")).iterdir()}
-    assert names == {"mesh_sketch", "size_study", "plate_in_calculix", "imprint_faces"}
+    assert names == {
+        "imprint_faces",
+        "local_sizes",
+        "mesh_sketch",
+        "plate_in_calculix",
+        "size_study",
+    }
 
 
 def test_mesh_sketch(document):
@@ -44,7 +51,12 @@ def test_size_study(document, tmp_path):
     sketches.plate(document)
     document.saveAs(str(tmp_path / "plate.FCStd"))
     run("size_study")
-    with open(tmp_path / "size_study.csv", newline="", encoding="utf-8") as file:
+    run("size_study")  # a second file
+    assert {path.name for path in tmp_path.glob("*.csv")} == {
+        "plate_size_study.csv",
+        "plate_size_study_2.csv",
+    }
+    with open(tmp_path / "plate_size_study.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 5
     sizes = [float(row["size"]) for row in rows]
@@ -54,6 +66,25 @@ def test_size_study(document, tmp_path):
     assert all(3 * a < b < 5 * a for a, b in zip(triangles, triangles[1:]))
     assert all(0 < b < a / 2.5 for a, b in zip(errors, errors[1:])), "chords converge"
     assert all(float(row["min_angle_deg"]) > 25.0 for row in rows)
+
+
+def test_local_sizes(document):
+    run("local_sizes")
+    (obj,) = [o for o in document.Objects if o.isDerivedFrom("Fem::FemMeshObject")]
+    assert obj.isValid()
+    assert len(obj.FemMesh.Edges) > 0
+    groups = {obj.FemMesh.getGroupName(g): g for g in obj.FemMesh.Groups}
+    hole = obj.FemMesh.getGroupElements(groups["Bracket_Geometry6"])
+    assert len(hole) == pytest.approx(2 * 3.1416 * 8.0, abs=2)  # 1 mm each
+    again = tessera.mesh(document.Bracket, 6.0).report["triangles"]
+    assert obj.Triangles > 3 * again
+
+
+def test_local_sizes_makes_a_document():
+    sketches.close_all_documents()
+    run("local_sizes")
+    assert list(FreeCAD.listDocuments()) == ["LocalSizes"]
+    sketches.close_all_documents()
 
 
 def test_plate_in_calculix(tmp_path, monkeypatch):

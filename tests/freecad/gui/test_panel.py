@@ -174,7 +174,7 @@ def test_constraint_edges(document):
     panel.set_size("5 mm")
     window.select((sketch, "Edge5"))
     panel.widget("addButton").click()
-    assert panel.constraints() == ["Plate: Edge5"]
+    assert panel.constraints() == ["Plate: Edge5 (Constraint)"]
     panel.mesh()
     (mesh,) = window.planar_meshes(document)
     assert sketches.fem_area(mesh.FemMesh) == pytest.approx(6000.0)
@@ -193,7 +193,7 @@ def test_another_sketch_as_constraints(document):
     panel = window.open_panel(sketch)
     window.select(sketch, line)
     panel.widget("addButton").click()
-    assert panel.constraints() == ["Stiffener"]
+    assert panel.constraints() == ["Stiffener (Constraint)"]
     panel.mesh()
     (mesh,) = window.planar_meshes(document)
     fem = mesh.FemMesh

@@ -92,12 +92,32 @@ class Panel:
         return forms[0] if forms else None
 
     def widget(self, name):
-        return self.find().findChild(QtGui.QWidget, name)
+        """In the panel's first box, or in that of the sizes."""
+        forms = [w for w in visible_widgets() if w.objectName() == "TesseraSizes"]
+        for form in [self.find(), *forms]:
+            found = form.findChild(QtGui.QWidget, name)
+            if found is not None:
+                return found
+        raise AssertionError(f"there is no {name}")
 
     def constraints(self):
         """What the list of constraint edges shows."""
         model = self.widget("constraintList").model()
         return [model.index(row, 0).data() for row in range(model.rowCount())]
+
+    def sizes(self):
+        """What the table of local sizes shows, row by row."""
+        model = self.widget("sizeTable").model()
+        return [
+            [model.index(row, column).data() for column in range(model.columnCount())]
+            for row in range(model.rowCount())
+        ]
+
+    def type_cell(self, row, column, text):
+        """Types into the table of local sizes."""
+        model = self.widget("sizeTable").model()
+        model.setData(model.index(row, column), text)
+        wait(0.1)
 
     @property
     def message(self):

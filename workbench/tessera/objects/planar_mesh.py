@@ -9,6 +9,13 @@ import math
 import FreeCAD
 
 import tessera
+from tessera.objects.size_properties import (
+    SIZE_PROPERTIES,
+    apply_local_sizes,
+    links_of,
+    links_to,
+    local_sizes_of,
+)
 from tessera.tools.mesh_history import MeshHistory
 from tessera.tools.plain_errors import RecomputeError, raising
 from tessera.tools.progress import RecomputeProgress
@@ -123,61 +130,7 @@ PROPERTIES = (
         None,
         _NORMAL,
     ),
-    (
-        "Curvature",
-        "App::PropertyIntegerConstraint",
-        "Sizes",
-        QT_TRANSLATE_NOOP("App::Property", "Mesh edges for a full turn of a curve, from 3"),
-        (20, 3, 10000, 1),
-        _NORMAL,
-    ),
-    (
-        "GapElements",
-        "App::PropertyIntegerConstraint",
-        "Sizes",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "Elements across narrow gaps between curves; 0: gaps do not matter"
-        ),
-        (0, 0, 1000, 1),
-        _NORMAL,
-    ),
-    (
-        "RefinedElements",
-        "App::PropertyLinkSubListGlobal",
-        "Sizes",
-        QT_TRANSLATE_NOOP("App::Property", "Edges and vertices of Source that get RefinedSize"),
-        None,
-        _NORMAL,
-    ),
-    (
-        "RefinedSize",
-        "App::PropertyLength",
-        "Sizes",
-        QT_TRANSLATE_NOOP("App::Property", "Length of the mesh edges at RefinedElements; 0: none"),
-        None,
-        _NORMAL,
-    ),
-    (
-        "RefinedDistance",
-        "App::PropertyLength",
-        "Sizes",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "RefinedSize holds up to this distance, and grows from there"
-        ),
-        None,
-        _NORMAL,
-    ),
-    (
-        "SizeExpression",
-        "App::PropertyString",
-        "Sizes",
-        QT_TRANSLATE_NOOP(
-            "App::Property",
-            "Length of the mesh edges, in mm, as an expression in the sketch's x and y",
-        ),
-        None,
-        _NORMAL,
-    ),
+    *SIZE_PROPERTIES,
     (
         "Triangles",
         "App::PropertyInteger",
@@ -390,26 +343,19 @@ def request_of(obj):
         order=obj.ElementOrder,
         fill=obj.Fill,
         weld=obj.Weld.Value,
-        constraints=_edges_of(obj.Constraints),
-        boundaries=_edges_of(obj.Boundaries),
-        ignored=_edges_of(obj.Ignored),
+        constraints=links_of(obj.Constraints),
+        boundaries=links_of(obj.Boundaries),
+        ignored=links_of(obj.Ignored),
         construction=obj.Construction,
+        min_size=obj.MinSize.Value,
         curvature=obj.Curvature,
+        chord_error=obj.ChordError.Value,
         gap=obj.GapElements,
-        refined=_edges_of(obj.RefinedElements),
-        refined_size=obj.RefinedSize.Value,
-        refined_distance=obj.RefinedDistance.Value,
+        local_sizes=local_sizes_of(obj),
         expression=obj.SizeExpression,
+        size_file=obj.SizeFile,
+        size_array=obj.SizeArray,
     )
-
-
-def _edges_of(links):
-    """Of a property with links to edges, as a request has them."""
-    return tuple((owner, tuple(names)) for owner, names in links)
-
-
-def _links_to(edges):
-    return [(owner, list(names)) for owner, names in edges]
 
 
 def apply_request(obj, request):
@@ -423,16 +369,17 @@ def apply_request(obj, request):
         "ElementOrder": request.order,
         "Fill": request.fill,
         "Weld": request.weld,
-        "Constraints": _links_to(request.constraints),
-        "Boundaries": _links_to(request.boundaries),
-        "Ignored": _links_to(request.ignored),
+        "Constraints": links_to(request.constraints),
+        "Boundaries": links_to(request.boundaries),
+        "Ignored": links_to(request.ignored),
         "Construction": request.construction,
+        "MinSize": request.min_size,
         "Curvature": request.curvature,
+        "ChordError": request.chord_error,
         "GapElements": request.gap,
-        "RefinedElements": _links_to(request.refined),
-        "RefinedSize": request.refined_size,
-        "RefinedDistance": request.refined_distance,
         "SizeExpression": request.expression,
+        "SizeFile": request.size_file,
+        "SizeArray": request.size_array,
     }
     current = request_of(obj)
     same = {
@@ -447,16 +394,18 @@ def apply_request(obj, request):
         "Boundaries": current.boundaries == request.boundaries,
         "Ignored": current.ignored == request.ignored,
         "Construction": current.construction == request.construction,
+        "MinSize": current.min_size == request.min_size,
         "Curvature": current.curvature == request.curvature,
+        "ChordError": current.chord_error == request.chord_error,
         "GapElements": current.gap == request.gap,
-        "RefinedElements": current.refined == request.refined,
-        "RefinedSize": current.refined_size == request.refined_size,
-        "RefinedDistance": current.refined_distance == request.refined_distance,
         "SizeExpression": current.expression == request.expression,
+        "SizeFile": current.size_file == request.size_file,
+        "SizeArray": current.size_array == request.size_array,
     }
     for name, value in values.items():
         if not same[name]:
             setattr(obj, name, value)
+    apply_local_sizes(obj, request.local_sizes)
 
 
 def is_planar_mesh(obj):

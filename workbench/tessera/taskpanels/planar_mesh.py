@@ -5,7 +5,6 @@ Nothing enters the document before there is a mesh. All that the panel does to t
 step of undo: OK ends it, Cancel takes it back.
 """
 
-import math
 from dataclasses import replace
 
 import FreeCAD
@@ -14,8 +13,10 @@ from PySide import QtCore, QtGui
 
 import tessera
 from tessera.objects import planar_mesh
+from tessera.taskpanels.sizes import SizesForm
 from tessera.tools import resources
 from tessera.tools.mesh_job import MeshJob
+from tessera.tools.number_field import NumberField
 from tessera.tools.request import FILLS, MeshRequest, default_size
 from tessera.tools.selection import select_places, selected_edges
 
@@ -45,74 +46,22 @@ class Target:
         return self.document.getObject(self.name) if self.name else None
 
 
-class _Number:
-    """A field that shows a number rounded: what the user leaves alone keeps all its digits.
-
-    FreeCAD's fields for lengths silently replace what was typed but is no length, some at once,
-    some when they lose the focus: get() raises ValueError with that text, and again as long as the
-    field shows it."""
-
-    def __init__(self, field, is_length=True):
-        self._field = field
-        self._is_length = is_length
-        self._value = self._shown = 0.0
-        self._refused = None
-        self._edit = field.findChild(QtGui.QLineEdit)
-        if is_length:
-            self._edit.textEdited.connect(self._note_typed)
-
-    def _note_typed(self, text):
-        self._refused = None if _is_length(text, self._field.locale()) else text
-
-    def set(self, value):
-        if self._is_length:
-            quantity = FreeCAD.Units.Quantity(value, FreeCAD.Units.Length)
-            self._field.setProperty("value", quantity)
-        else:
-            self._field.setValue(value)
-        self._value, self._shown, self._refused = value, self._read(), None
-
-    def get(self):
-        """Lengths in millimeters."""
-        if self._refused is not None:
-            text = self._refused
-            if self._edit.text() != text:
-                self._refused = None
-            raise ValueError(text)
-        shown = self._read()
-        return self._value if shown == self._shown else shown
-
-    def _read(self):
-        return float(self._field.property("rawValue" if self._is_length else "value"))
-
-
-def _is_length(text, locale):
-    """The text is a length of 0 or more, or a number; its unit and separators are the user's."""
-    plain = text.replace(locale.groupSeparator(), "").replace(locale.decimalPoint(), ".")
-    for candidate in (text, plain):
-        try:
-            quantity = FreeCAD.Units.Quantity(candidate)
-        except (ValueError, OSError, ArithmeticError, FreeCAD.Base.FreeCADError):
-            continue
-        is_length = quantity.Unit in (FreeCAD.Units.Length, FreeCAD.Units.Unit())
-        if is_length and math.isfinite(quantity.Value) and quantity.Value >= 0.0:
-            return bool(candidate.strip())
-    return False
-
-
 class PlanarMeshPanel:
     """Task panel in FreeCAD's sense: form, accept, reject, getStandardButtons."""
 
     def __init__(self, targets):
-        self.form = FreeCADGui.PySideUic.loadUi(resources.form("planar_mesh"))
+        self._main = FreeCADGui.PySideUic.loadUi(resources.form("planar_mesh"))
         self._document = targets[0].document
         self._document_name = self._document.Name
         self._targets = targets
         self._edited = targets[0].object()
-        self._size = _Number(self.form.sizeField)
-        self._weld = _Number(self.form.weldField)
-        self._growth = _Number(self.form.growthField, is_length=False)
-        self._constraints = []
+        self._sizes = SizesForm(targets)
+        self._sizes.said.connect(self._say)
+        self.form = [self._main, self._sizes.form]  # each in a box of its own, which can be closed
+        self._size = NumberField(self._main.sizeField)
+        self._weld = NumberField(self._main.weldField)
+        self._growth = NumberField(self._main.growthField, is_length=False)
+        self._roles = {}  # (object's name, edge): (object, role), in the order of adding
         self._job = None
         self._requests = []
         self._shapes = []
@@ -125,7 +74,7 @@ class PlanarMeshPanel:
     # Form
 
     def _fill_form(self):
-        form = self.form
+        form = self._main
         form.setWindowIcon(QtGui.QIcon(resources.icon("tessera_mesh_sketch")))
         form.sourceName.setText(self._source_text())
         for key, label, explanation in _fill_texts():
@@ -144,10 +93,15 @@ class PlanarMeshPanel:
         self._growth.set(request.growth)
         form.orderField.setCurrentIndex(request.order - 1)
         form.fillField.setCurrentIndex(form.fillField.findData(request.fill))
-        self._constraints = [
-            (owner, name) for owner, names in request.constraints for name in names
-        ]
-        self._list_constraints()
+        for role, label, explanation in _role_texts():
+            form.roleField.addItem(label, role)
+            last = form.roleField.count() - 1
+            form.roleField.setItemData(last, explanation, QtCore.Qt.ToolTipRole)
+            for owner, names in getattr(request, role):
+                self._roles.update({(owner.Name, name): (owner, role) for name in names})
+        form.constructionField.setChecked(request.construction)
+        self._list_roles()
+        self._sizes.set(request)
         self._show_running(False)
         if self._edited is not None and self._edited.Triangles > 0:
             self._show_summary([self._edited])
@@ -155,11 +109,11 @@ class PlanarMeshPanel:
             self._show_message("")
 
     def _connect(self):
-        form = self.form
+        form = self._main
         form.meshButton.clicked.connect(self.start)
         form.stopButton.clicked.connect(self.stop)
-        form.addButton.clicked.connect(self._add_constraints)
-        form.removeButton.clicked.connect(self._remove_constraints)
+        form.addButton.clicked.connect(self._add_roles)
+        form.removeButton.clicked.connect(self._remove_roles)
 
     def _source_text(self):
         names = []
@@ -168,39 +122,55 @@ class PlanarMeshPanel:
             names.append(f"{label}: {', '.join(target.faces)}" if target.faces else label)
         return ", ".join(names)
 
-    def _add_constraints(self):
-        known = {(owner.Name, name) for owner, name in self._constraints}
+    def _add_roles(self):
         sources = {target.source.Name for target in self._targets if target.source}
+        role = self._main.roleField.itemData(self._main.roleField.currentIndex())
+        refused = []
         for owner, names in selected_edges():
-            self._constraints += [
-                (owner, name)
-                for name in names
-                if (owner.Name, name) not in known and (name or owner.Name not in sources)
-            ]
-        self._list_constraints()
+            if owner.Name not in sources and role != "constraints":
+                refused.append(owner.Label)
+                continue
+            for name in names:
+                if name or owner.Name not in sources:
+                    self._roles.pop((owner.Name, name), None)
+                    self._roles[(owner.Name, name)] = (owner, role)
+        self._list_roles()
+        if refused:
+            text = translate("Tessera", "{} is not what is meshed: its edges can be constraints only.")
+            self._say(text.format(", ".join(refused)))
 
-    def _remove_constraints(self):
-        rows = {index.row() for index in self.form.constraintList.selectedIndexes()}
-        self._constraints = [c for row, c in enumerate(self._constraints) if row not in rows]
-        self._list_constraints()
+    def _remove_roles(self):
+        rows = {index.row() for index in self._main.constraintList.selectedIndexes()}
+        keys = list(self._roles)
+        for row in rows:
+            del self._roles[keys[row]]
+        self._list_roles()
 
-    def _list_constraints(self):
-        self.form.constraintList.clear()
-        for owner, name in self._constraints:
-            self.form.constraintList.addItem(f"{owner.Label}: {name}" if name else owner.Label)
-        self.form.constraintList.setVisible(bool(self._constraints))
-        self.form.removeButton.setEnabled(bool(self._constraints))
+    def _list_roles(self):
+        labels = {role: label for role, label, _ in _role_texts()}
+        self._main.constraintList.clear()
+        for (_, name), (owner, role) in self._roles.items():
+            edge = f"{owner.Label}: {name}" if name else owner.Label
+            self._main.constraintList.addItem(f"{edge} ({labels[role]})")
+        self._main.constraintList.setVisible(bool(self._roles))
+        self._main.removeButton.setEnabled(bool(self._roles))
+
+    def _links(self, role, source):
+        """Edges with the role, of one of several sources only."""
+        links = {}
+        for (_, name), (owner, given) in self._roles.items():
+            if given == role and (len(self._targets) == 1 or owner is source):
+                links.setdefault(owner, []).append(name)
+        return tuple((owner, tuple(names)) for owner, names in links.items())
 
     def requests(self):
         """What the form asks for, one request for each target."""
         return [self._request(target) for target in self._targets]
 
     def _request(self, target):
-        alone = len(self._targets) == 1
-        constraints = {}
-        for owner, name in self._constraints:
-            if alone or owner is target.source:
-                constraints.setdefault(owner, []).append(name)
+        values = self._sizes.values()
+        if len(self._targets) > 1:
+            values = self._sizes.of_source(values, target.source)
         return replace(  # what has no field stays as it is
             self._shown,
             source=target.source,
@@ -208,9 +178,13 @@ class PlanarMeshPanel:
             size=self._size.get(),
             weld=self._weld.get(),
             growth=self._growth.get(),
-            order=self.form.orderField.currentIndex() + 1,
-            fill=self.form.fillField.itemData(self.form.fillField.currentIndex()),
-            constraints=tuple((owner, tuple(names)) for owner, names in constraints.items()),
+            order=self._main.orderField.currentIndex() + 1,
+            fill=self._main.fillField.itemData(self._main.fillField.currentIndex()),
+            constraints=self._links("constraints", target.source),
+            boundaries=self._links("boundaries", target.source),
+            ignored=self._links("ignored", target.source),
+            construction=self._main.constructionField.isChecked(),
+            **values,
         )
 
     # Run
@@ -244,8 +218,8 @@ class PlanarMeshPanel:
             self._job.cancel()
 
     def _on_progress(self, fraction, stage):
-        self.form.progressBar.setValue(int(1000 * fraction))
-        self.form.progressBar.setFormat(f"{_stage_text(stage)} %p%")
+        self._main.progressBar.setValue(int(1000 * fraction))
+        self._main.progressBar.setFormat(f"{_stage_text(stage)} %p%")
 
     def _on_failed(self, number, error):
         self._end_job()
@@ -281,7 +255,7 @@ class PlanarMeshPanel:
             return
         # FreeCAD takes some seconds for a million triangles and does not answer meanwhile.
         self._on_progress(1.0, "store")
-        self.form.stopButton.setEnabled(False)
+        self._main.stopButton.setEnabled(False)
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
             QtGui.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
@@ -399,8 +373,11 @@ class PlanarMeshPanel:
 
     # Messages
 
+    def _say(self, text):
+        self._show_message(text, _INFORMATION)
+
     def _show_running(self, running):
-        form = self.form
+        form = self._main
         form.meshButton.setVisible(not running)
         form.progressBar.setVisible(running)
         form.progressBar.setValue(0)
@@ -413,17 +390,18 @@ class PlanarMeshPanel:
             form.fillField,
             form.weldField,
             form.constraintsBox,
+            self._sizes.form,
         ):
             widget.setEnabled(not running)
 
     def _show_message(self, text, kind=None):
         icon = QtGui.QPixmap()
         if kind is not None:
-            icon = self.form.style().standardIcon(kind).pixmap(16, 16)
-        self.form.messageIcon.setPixmap(icon)
-        self.form.messageIcon.setVisible(bool(text))
-        self.form.message.setText(text)
-        self.form.message.setVisible(bool(text))
+            icon = self._main.style().standardIcon(kind).pixmap(16, 16)
+        self._main.messageIcon.setPixmap(icon)
+        self._main.messageIcon.setVisible(bool(text))
+        self._main.message.setText(text)
+        self._main.message.setVisible(bool(text))
 
     def _show_summary(self, objects):
         """Number and quality of the triangles, then what the mesher has to say."""
@@ -477,6 +455,23 @@ def _stage_text(stage):
         "store": translate("Tessera", "Storing"),
     }
     return texts.get(stage, "")
+
+
+def _role_texts():
+    """(field of a request, label, explanation) of each role."""
+    return (
+        (
+            "constraints",
+            translate("Tessera", "Constraint"),
+            translate("Tessera", "Kept in the mesh, but does not bound what is meshed"),
+        ),
+        (
+            "boundaries",
+            translate("Tessera", "Boundary"),
+            translate("Tessera", "Bounds what is meshed"),
+        ),
+        ("ignored", translate("Tessera", "Ignored"), translate("Tessera", "Left out")),
+    )
 
 
 def _fill_texts():

@@ -18,6 +18,30 @@ FILLS = {
 }
 
 
+Links = Tuple[Tuple[Any, Tuple[str, ...]], ...]  #: (object, names of its edges, vertices, faces)
+Points = Tuple[Tuple[float, float, float], ...]
+
+
+@dataclass(frozen=True)
+class LocalSize:
+    """An edge length at some places. Points are in the frame of a sketch, of other sources in
+    space."""
+
+    elements: Links = ()  #: edges, vertices, and faces, in which the size holds everywhere
+    points: Points = ()
+    regions: Points = ()  #: the size holds everywhere in the regions around these
+    size: float = 0.0  #: mm; 0: as elsewhere
+    distance: float = 0.0  #: the size holds up to this distance from the places, mm
+    far_size: float = 0.0  #: size at far_distance, linear up to there, mm; 0: GrowthRate decides
+    far_distance: float = 0.0  #: mm
+
+    def law(self):
+        """As tessera.mesh() takes sizes at places."""
+        if self.far_size == 0.0 and self.far_distance == 0.0:
+            return (self.size, self.distance)
+        return (self.size, self.distance, self.far_size, self.far_distance)
+
+
 @dataclass(frozen=True)
 class MeshRequest:
     """Everything that decides what the mesh will be."""
@@ -29,16 +53,18 @@ class MeshRequest:
     order: int = 1
     fill: str = "Even-odd"  #: a key of FILLS
     weld: float = 0.0  #: ends of curves closer than this become one, mm; 0: the shape's tolerance
-    constraints: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: (object, edge names)
-    boundaries: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: of the source
-    ignored: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: of the source
+    constraints: Links = ()  #: edges kept in the mesh that bound nothing
+    boundaries: Links = ()  #: of the source
+    ignored: Links = ()  #: of the source
     construction: bool = False  #: construction geometry of a sketch joins as constraints
+    min_size: float = 0.0  #: nowhere smaller, mm; 0: no bound
     curvature: int = 20  #: mesh edges for a full turn of a curve
+    chord_error: float = 0.0  #: greatest distance of mesh edges from curves, mm; 0: no bound
     gap: int = 0  #: elements across narrow gaps; 0: gaps do not matter
-    refined: Tuple[Tuple[Any, Tuple[str, ...]], ...] = ()  #: (object, edge and vertex names)
-    refined_size: float = 0.0  #: edge length there, mm; 0: as elsewhere
-    refined_distance: float = 0.0  #: up to this distance from there, mm
+    local_sizes: Tuple[LocalSize, ...] = ()
     expression: str = ""  #: edge length as an expression in x and y, mm
+    size_file: str = ""  #: a .vtu file with edge lengths at its nodes, mm
+    size_array: str = ""  #: the name of its point data that holds them
 
     def prepare(self):
         """Reads the document, on the main thread; the result does not look at it again."""
@@ -66,24 +92,36 @@ class MeshRequest:
             order=self.order,
             fill=FILLS[self.fill],
             weld=None if self.weld == 0.0 else self.weld,
+            min_size=self.min_size or None,
             curvature=self.curvature,
+            chord_error=self.chord_error or None,
             gap=self.gap or None,
             size_expr=self.expression.strip() or (),
-            **self._refined_sizes(),
+            size_from=f"{self.size_file}:{self.size_array}" if self.size_file else None,
+            **self._sizes_at_places(),
             progress=progress,
             execution=execution,
         )
 
-    def _refined_sizes(self):
-        """size_on and size_at of the refined elements."""
-        if self.refined_size == 0.0:
-            return {}
-        names = [(owner, name) for owner, names in self.refined for name in names]
-        law = (self.refined_size, self.refined_distance)
-        return {
-            "size_on": [(link, law) for link in names if not link[1].startswith("Vertex")],
-            "size_at": [(link, *law) for link in names if link[1].startswith("Vertex")],
-        }
+    def _sizes_at_places(self):
+        """size_at, size_on and size_in."""
+        size_at, size_on, size_in = [], [], []
+        has_frame = hasattr(self.source, "Geometry")  # a sketch: points are (x, y) in it
+        for local in self.local_sizes:
+            if local.size == 0.0:
+                continue
+            law = local.law()
+            for link in ((owner, name) for owner, names in local.elements for name in names):
+                if link[1].startswith("Vertex"):
+                    size_at.append((link, *law))
+                elif link[1].startswith("Face"):
+                    size_in.append((link, local.size))
+                else:
+                    size_on.append((link, law))
+            count = 2 if has_frame else 3
+            size_at += [(point[:count], *law) for point in local.points]
+            size_in += [(point[:count], local.size) for point in local.regions]
+        return {"size_at": size_at, "size_on": size_on, "size_in": size_in}
 
 
 def default_size(source, faces=()):

@@ -33,6 +33,32 @@ def selected_edges():
     return edges
 
 
+def selected_places():
+    """[(object, names of its selected edges, vertices and faces)]."""
+    places = []
+    for item in FreeCADGui.Selection.getSelectionEx():
+        kinds = ("Edge", "Vertex", "Face")
+        names = tuple(name for name in item.SubElementNames if name.startswith(kinds))
+        if names:
+            places.append((item.Object, names))
+    return places
+
+
+def picked_point(source):
+    """Where the user has clicked last, on the source or on anything else that is selected: in the
+    frame of a sketch, else where the source's shape is; None if nothing was clicked."""
+    from tessera.objects.planar_mesh import container_placement
+
+    points = [point for item in FreeCADGui.Selection.getSelectionEx() for point in item.PickedPoints]
+    if not points:
+        return None
+    point = container_placement(source).inverse().multVec(points[-1])
+    if source.isDerivedFrom(_SKETCH):
+        point = source.Placement.inverse().multVec(point)
+        point.z = 0.0
+    return tuple(point)
+
+
 def select_places(source, places):
     """Selects the geometry of the source that an error is about; the source itself if the error
     names none that can be seen."""
