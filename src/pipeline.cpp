@@ -447,7 +447,7 @@ private:
     {
         execution_.beginStage("extract", 0.95, 1.0);
         ExtractResult extracted =
-            extractMesh(working_, recovered_.constraints, regions_, pslg_);
+            extractMesh(working_, recovered_.constraints, regions_, pslg_, execution_.threads());
         MeshReport& report = result_.report;
         Mesh& mesh = result_.mesh;
         mesh = std::move(extracted.mesh);

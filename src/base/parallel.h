@@ -8,6 +8,7 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace tessera
@@ -52,6 +53,30 @@ void forEachPiece(int threads, std::size_t count, std::size_t piece, F&& f)
     if (failure) {
         std::rethrow_exception(failure);
     }
+}
+
+/// Reserves, and lets several threads touch the new memory: the system hands out pages when they are
+/// first written to, which costs more than the filling.
+template<class T>
+void reserveTouched(int threads, std::vector<T>& values, std::size_t count)
+{
+    static_assert(std::is_trivially_destructible_v<T>);
+    constexpr std::size_t kPage = 4096;
+    if (count <= values.capacity()) {
+        return;
+    }
+    values.reserve(count);
+    if (threads < 2) {
+        return;
+    }
+    // Nothing lives in these bytes yet; the vector writes over them.
+    auto* const bytes = reinterpret_cast<std::byte*>(values.data() + values.size());
+    const std::size_t size = (values.capacity() - values.size()) * sizeof(T);
+    forEachPiece(threads, size / kPage, 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            static_cast<volatile std::byte&>(bytes[i * kPage]) = std::byte {0};
+        }
+    });
 }
 
 } // namespace tessera

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/extract.h"
 
+#include "base/parallel.h"
+#include "mesh/node_order.h"
+
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace tessera
 {
 
 namespace
 {
+
+constexpr std::size_t kPiece = 1 << 15;
 
 /// The point of the curve between ta and tb that lies above the chord's middle.
 Vec2 middleOnCurve(const ConstrainedEdge& edge, Vec2 a, Vec2 b)
@@ -33,19 +40,21 @@ class Extraction
 {
 public:
     Extraction(const WorkingMesh& working, const ConstraintMap& constraints,
-               const RegionMap& regions, const Pslg& pslg)
+               const RegionMap& regions, const Pslg& pslg, int threads)
         : working_(working)
         , constraints_(constraints)
         , regions_(regions)
         , pslg_(pslg)
-    {
-        result_.nodeOfVertex.assign(working.triangulation.points.size(), ExtractResult::kNoNode);
-    }
+        , threads_(threads)
+    {}
 
     ExtractResult run()
     {
         numberRegions();
-        takeTriangles();
+        MeshOrder order = orderMesh(working_, threads_);
+        result_.nodeOfVertex = std::move(order.nodeOfVertex);
+        takeNodes(order.nodes);
+        takeTriangles(order.triangles);
         takeEdges();
         return std::move(result_);
     }
@@ -68,45 +77,59 @@ private:
         }
     }
 
-    std::uint32_t nodeOf(std::uint32_t vertex)
+    std::uint32_t nodeOf(std::uint32_t vertex) const { return result_.nodeOfVertex[vertex]; }
+
+    void takeNodes(std::uint32_t count)
     {
-        std::uint32_t& node = result_.nodeOfVertex[vertex];
-        if (node == ExtractResult::kNoNode) {
-            node = static_cast<std::uint32_t>(result_.mesh.nodes.size());
-            result_.mesh.nodes.push_back(working_.triangulation.points[vertex]);
-            result_.mesh.nodeOrigin.push_back(working_.origin[vertex]);
-        }
-        return node;
+        Mesh& mesh = result_.mesh;
+        reserveTouched(threads_, mesh.nodes, count);
+        mesh.nodes.resize(count);
+        mesh.nodeOrigin.resize(count);
+        forEachPiece(threads_, result_.nodeOfVertex.size(), kPiece,
+                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                         for (std::size_t v = begin; v < end; ++v) {
+                             const std::uint32_t node = result_.nodeOfVertex[v];
+                             if (node != ExtractResult::kNoNode) {
+                                 mesh.nodes[node] = working_.triangulation.points[v];
+                                 mesh.nodeOrigin[node] = working_.origin[v];
+                             }
+                         }
+                     });
     }
 
-    void takeTriangles()
+    void takeTriangles(const std::vector<std::uint32_t>& slots)
     {
-        const auto& triangles = working_.triangulation.triangles;
-        std::size_t kept = 0;
-        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-            kept += isKept(t) ? 1 : 0;
-        }
         Mesh& mesh = result_.mesh;
-        mesh.triangles.reserve(kept);
-        mesh.triangleRegion.reserve(kept);
-        mesh.nodes.reserve(kept / 2 + 16);
-        mesh.nodeOrigin.reserve(kept / 2 + 16);
-        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-            if (isKept(t)) {
-                const auto& v = triangles[t].v;
-                mesh.triangles.push_back({nodeOf(v[0]), nodeOf(v[1]), nodeOf(v[2])});
-                mesh.triangleRegion.push_back(meshRegion_[working_.regionOfTriangle[t]]);
-                addArea(mesh);
+        reserveTouched(threads_, mesh.triangles, slots.size());
+        reserveTouched(threads_, mesh.triangleRegion, slots.size());
+        mesh.triangles.resize(slots.size());
+        mesh.triangleRegion.resize(slots.size());
+        // Few pieces, because each sums the areas of all regions.
+        const std::size_t piece = std::max(kPiece, slots.size() / 64 + 1);
+        std::vector<std::vector<double>> areas((slots.size() + piece - 1) / piece);
+        forEachPiece(threads_, slots.size(), piece,
+                     [&](std::size_t index, std::size_t begin, std::size_t end) {
+                         areas[index].assign(mesh.regions.size(), 0.0);
+                         for (std::size_t i = begin; i < end; ++i) {
+                             takeTriangle(i, slots[i], areas[index]);
+                         }
+                     });
+        for (const std::vector<double>& part : areas) {
+            for (std::size_t r = 0; r < part.size(); ++r) {
+                mesh.regions[r].area += part[r];
             }
         }
     }
 
-    static void addArea(Mesh& mesh)
+    void takeTriangle(std::size_t index, std::uint32_t slot, std::vector<double>& areas)
     {
-        const auto& t = mesh.triangles.back();
-        const Vec2 a = mesh.nodes[t[0]];
-        mesh.regions[mesh.triangleRegion.back()].area +=
-            0.5 * cross(mesh.nodes[t[1]] - a, mesh.nodes[t[2]] - a);
+        Mesh& mesh = result_.mesh;
+        const auto& v = working_.triangulation.triangles[slot].v;
+        const std::uint32_t region = meshRegion_[working_.regionOfTriangle[slot]];
+        mesh.triangles[index] = {nodeOf(v[0]), nodeOf(v[1]), nodeOf(v[2])};
+        mesh.triangleRegion[index] = region;
+        const auto& p = working_.triangulation.points;
+        areas[region] += 0.5 * cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
     }
 
     void takeEdges()
@@ -159,6 +182,7 @@ private:
     const ConstraintMap& constraints_;
     const RegionMap& regions_;
     const Pslg& pslg_;
+    int threads_;
     std::vector<std::uint32_t> meshRegion_;
     ExtractResult result_;
 };
@@ -174,6 +198,12 @@ void addGroup(Mesh& mesh, const std::string& name, GroupKind kind,
 void addRegionGroups(Mesh& mesh)
 {
     std::vector<std::vector<std::uint32_t>> members(mesh.regions.size());
+    if (members.size() == 1) {
+        members[0].resize(mesh.triangles.size());
+        std::iota(members[0].begin(), members[0].end(), 0U);
+        addGroup(mesh, "Region1", GroupKind::Triangles, std::move(members[0]));
+        return;
+    }
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         members[mesh.triangleRegion[t]].push_back(t);
     }
@@ -232,9 +262,9 @@ void addEdgeGroups(Mesh& mesh, const CurveNetwork& network)
 } // namespace
 
 ExtractResult extractMesh(const WorkingMesh& working, const ConstraintMap& constraints,
-                          const RegionMap& regions, const Pslg& pslg)
+                          const RegionMap& regions, const Pslg& pslg, int threads)
 {
-    return Extraction(working, constraints, regions, pslg).run();
+    return Extraction(working, constraints, regions, pslg, threads).run();
 }
 
 void addGroups(Mesh& mesh, const CurveNetwork& network,

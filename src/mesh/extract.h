@@ -11,7 +11,7 @@ namespace tessera
 {
 
 /// Compacts the kept triangles, the edges on constraints beside them and their nodes into a Mesh.
-/// Nodes are numbered as the triangles meet them. Kept regions are renumbered from 0.
+/// For their order see node_order.h. Kept regions are renumbered from 0.
 struct ExtractResult
 {
     Mesh mesh;
@@ -24,7 +24,7 @@ struct ExtractResult
 };
 
 ExtractResult extractMesh(const WorkingMesh& working, const ConstraintMap& constraints,
-                          const RegionMap& regions, const Pslg& pslg);
+                          const RegionMap& regions, const Pslg& pslg, int threads = 1);
 
 /// Names regions, curves and embedded points: one triangle group per kept region, further groups
 /// for operands that cover several regions or share one, an edge group per curve name and per

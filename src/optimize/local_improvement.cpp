@@ -16,6 +16,7 @@
 
 #include "optimize/local_improvement.h"
 
+#include "base/parallel.h"
 #include "delaunay/delaunay.h"
 #include "optimize/edits.h"
 
@@ -143,8 +144,21 @@ void LocalImprovement::seedAgain()
 
 void LocalImprovement::seedAll()
 {
-    for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
-        seedIfBad(i);
+    constexpr std::size_t kPiece = 1 << 15;
+    const std::size_t slots = t_.triangles.size();
+    std::vector<std::vector<std::uint32_t>> bad((slots + kPiece - 1) / kPiece);
+    forEachPiece(execution_.threads(), slots, kPiece,
+                 [&](std::size_t piece, std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                         if (isBad(static_cast<std::uint32_t>(i))) {
+                             bad[piece].push_back(static_cast<std::uint32_t>(i));
+                         }
+                     }
+                 });
+    for (const std::vector<std::uint32_t>& found : bad) {
+        for (const std::uint32_t triangle : found) {
+            seed(triangle);
+        }
     }
 }
 
@@ -163,22 +177,29 @@ void LocalImprovement::startList()
     mark_.resize(t_.points.size(), 0);
 }
 
-void LocalImprovement::seedIfBad(std::uint32_t triangle)
+bool LocalImprovement::isBad(std::uint32_t triangle) const
 {
     if (mesh_.regionOfTriangle[triangle] == WorkingMesh::kOutside) {
-        return;
+        return false;
     }
     const auto& v = t_.triangles[triangle].v;
-    if (squaredSineOfSmallest(t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]) < scan_) {
-        add(v[0]);
-        add(v[1]);
-        add(v[2]);
+    return squaredSineOfSmallest(t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]) < scan_;
+}
+
+void LocalImprovement::seed(std::uint32_t triangle)
+{
+    for (const std::uint32_t v : t_.triangles[triangle].v) {
+        add(v);
     }
 }
 
 void LocalImprovement::seedAround(std::uint32_t vertex)
 {
-    t_.forEachAround(vertex, [this](HalfEdge h) { seedIfBad(Topology::triangleOf(h)); });
+    t_.forEachAround(vertex, [this](HalfEdge h) {
+        if (isBad(Topology::triangleOf(h))) {
+            seed(Topology::triangleOf(h));
+        }
+    });
 }
 
 void LocalImprovement::add(std::uint32_t vertex)

@@ -37,7 +37,8 @@ private:
     void seedAll();
     void seedAgain();
     bool isLarge(const std::vector<std::uint32_t>& list) const;
-    void seedIfBad(std::uint32_t triangle);
+    bool isBad(std::uint32_t triangle) const;
+    void seed(std::uint32_t triangle);
     void seedAround(std::uint32_t vertex);
     void add(std::uint32_t vertex);
     void growList();

@@ -22,6 +22,7 @@
 
 #include "refine/front.h"
 
+#include "base/parallel.h"
 #include "delaunay/delaunay.h"
 
 #include <algorithm>
@@ -72,6 +73,8 @@ public:
 
     FrontResult run(std::uint32_t firstGood, std::uint32_t endGood)
     {
+        reserveTouched(execution_.threads(), stamp_, t_.triangles.capacity());
+        state_.reserve(t_.triangles.capacity());
         grow();
         std::fill(state_.begin() + firstGood, state_.begin() + endGood, State::Accepted);
         const auto skipGood = [&](std::uint32_t i) { return i == firstGood ? endGood : i; };
@@ -96,7 +99,7 @@ public:
             }
         }
         FrontResult result {points_, {}};
-        for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
+        for (std::uint32_t i = skipGood(0); i < t_.triangles.size(); i = skipGood(i + 1)) {
             if (isOpen(i)) {
                 result.open.push_back(i);
             }

@@ -11,6 +11,8 @@
 // 3. Constrain the rim edges, remove the triangles inside the rim and link the lattice's triangles
 //    in their place.
 //
+// Threads share the writing by blocks of rows; where a triangle goes does not depend on them.
+//
 // Should an edge of the rim be missing in step 3 (rounding at the limit of the coordinates'
 // resolution), the lattice's triangles are dropped and the rim's points stay as ordinary points.
 // Complexity: O(n), with 24 bytes written per triangle and 16 per point; locating only along the
@@ -18,6 +20,7 @@
 
 #include "refine/lattice.h"
 
+#include "base/parallel.h"
 #include "delaunay/delaunay.h"
 
 #include <algorithm>
@@ -81,15 +84,22 @@ private:
             count += static_cast<std::uint32_t>(run.last - run.first + 1);
         }
         const std::size_t total = firstVertex_ + std::size_t {count};
-        t_.points.reserve(total + total / 8);
+        reserveTouched(execution_.threads(), t_.points, total + total / 8);
+        t_.points.resize(total);
+        reserveTouched(execution_.threads(), t_.incident, total + total / 8);
         t_.incident.resize(total, Topology::kDead);
         editor_.mesh().origin.resize(total, VertexOrigin::Interior);
-        for (const LatticeRun& run : runs_) {
-            for (std::int64_t i = run.first; i <= run.last; ++i) {
-                t_.points.push_back(lattice_.point(i, run.row));
-            }
-        }
-        sizes_.fill(firstVertex_, static_cast<std::uint32_t>(total), lattice_.h);
+        constexpr std::size_t kRuns = 64;
+        forEachPiece(execution_.threads(), runs_.size(), kRuns,
+                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                         for (std::size_t k = begin; k < end; ++k) {
+                             const LatticeRun& run = runs_[k];
+                             for (std::int64_t i = run.first; i <= run.last; ++i) {
+                                 t_.points[vertexOf(run, i)] = lattice_.point(i, run.row);
+                             }
+                         }
+                     });
+        sizes_.append(static_cast<std::uint32_t>(total), lattice_.h, execution_.threads());
     }
 
     /// Calls f(lower run, upper run) for all pairs of neighboring rows that may share triangles,
@@ -133,66 +143,149 @@ private:
         return {std::max(lower.first - 1, upper.first), std::min(lower.last, upper.last) - 1};
     }
 
+    /// Two runs that share triangles, the first of which goes into slot.
+    struct Pair
+    {
+        const LatticeRun* lower;
+        const LatticeRun* upper;
+        std::uint32_t slot;
+    };
+
+    /// Blocks of pairs that threads write on their own: each begins with a new row.
+    struct Block
+    {
+        std::size_t begin;
+        std::size_t end;
+    };
+
     void writeTriangles()
     {
-        std::size_t count = 0;
-        forEachPair([&](const LatticeRun& lower, const LatticeRun& upper) {
-            count += upright(lower, upper).count();
-            count += inverted(lower, upper).count();
-        });
-        patch_.firstTriangle = static_cast<std::uint32_t>(t_.triangles.size());
-        patch_.endTriangle = patch_.firstTriangle + static_cast<std::uint32_t>(count);
+        const std::size_t count = collectPairs();
         const std::size_t total = t_.triangles.size() + count;
-        t_.triangles.reserve(total + total / 8);
+        const int threads = execution_.threads();
+        reserveTouched(threads, t_.triangles, total + total / 8);
         t_.triangles.resize(total);
         std::vector<std::uint32_t>& region = editor_.mesh().regionOfTriangle;
-        region.reserve(total + total / 8);
+        reserveTouched(threads, region, total + total / 8);
         region.resize(total);
         // By lattice point: the half-edge of the inverted triangle below (i, j), (i + 1, j).
         below_.assign(t_.points.size() - firstVertex_, kUnlinked);
-        nextSlot_ = patch_.firstTriangle;
-        forEachPair([&](const LatticeRun& lower, const LatticeRun& upper) {
-            writePair(lower, upper);
-            std::fill(region.begin() + pairStart_, region.begin() + nextSlot_, lower.region);
+        const std::vector<Block> blocks = divideIntoBlocks();
+        forEachPiece(threads, blocks.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
+            for (std::size_t k = blocks[b].begin; k < blocks[b].end; ++k) {
+                const bool isFirstRow
+                    = b > 0 && pairs_[k].lower->row == pairs_[blocks[b].begin].lower->row;
+                const std::uint32_t end = writePair(pairs_[k], !isFirstRow);
+                std::fill(region.begin() + pairs_[k].slot, region.begin() + end,
+                          pairs_[k].lower->region);
+            }
         });
-        for (std::uint32_t slot = patch_.firstTriangle; slot < patch_.endTriangle; ++slot) {
-            for (std::uint32_t side = 0; side < 3; ++side) {
-                if (link(half(slot, side)) == kUnlinked) {
-                    patch_.rim.push_back(half(slot, side));
+        for (std::size_t b = 1; b < blocks.size(); ++b) {
+            linkToBlockBelow(blocks[b]);
+        }
+        collectRim();
+    }
+
+    /// Returns the number of triangles.
+    std::size_t collectPairs()
+    {
+        patch_.firstTriangle = static_cast<std::uint32_t>(t_.triangles.size());
+        patch_.endTriangle = patch_.firstTriangle;
+        forEachPair([&](const LatticeRun& lower, const LatticeRun& upper) {
+            const std::uint32_t count
+                = upright(lower, upper).count() + inverted(lower, upper).count();
+            if (count > 0) {
+                pairs_.push_back({&lower, &upper, patch_.endTriangle});
+                patch_.endTriangle += count;
+            }
+        });
+        return patch_.endTriangle - patch_.firstTriangle;
+    }
+
+    std::vector<Block> divideIntoBlocks() const
+    {
+        constexpr std::uint32_t kBlock = 1 << 16;
+        std::vector<Block> blocks;
+        for (std::size_t k = 0; k < pairs_.size(); ++k) {
+            if (k == 0
+                || (pairs_[k].lower->row != pairs_[k - 1].lower->row
+                    && pairs_[k].slot - pairs_[blocks.back().begin].slot >= kBlock)) {
+                blocks.push_back({k, k});
+            }
+            blocks.back().end = k + 1;
+        }
+        return blocks;
+    }
+
+    /// Links the upright triangles of the block's first row, whose neighbors below lie in the block
+    /// before.
+    void linkToBlockBelow(const Block& block)
+    {
+        const std::int64_t row = pairs_[block.begin].lower->row;
+        for (std::size_t k = block.begin; k < block.end && pairs_[k].lower->row == row; ++k) {
+            const std::uint32_t end
+                = k + 1 < pairs_.size() ? pairs_[k + 1].slot : patch_.endTriangle;
+            for (std::uint32_t slot = pairs_[k].slot; slot < end; ++slot) {
+                const auto& v = t_.triangles[slot].v;
+                if (v[1] == v[0] + 1) { // upright
+                    connect(half(slot, 2), below_[v[0] - firstVertex_]);
                 }
             }
         }
     }
 
-    /// Upright and inverted triangles alternate from left to right.
-    void writePair(const LatticeRun& lower, const LatticeRun& upper)
+    void collectRim()
     {
+        constexpr std::size_t kPiece = 1 << 15;
+        const std::size_t count = patch_.endTriangle - patch_.firstTriangle;
+        std::vector<std::vector<HalfEdge>> rims((count + kPiece - 1) / kPiece);
+        forEachPiece(execution_.threads(), count, kPiece,
+                     [&](std::size_t piece, std::size_t begin, std::size_t end) {
+                         for (std::size_t i = begin; i < end; ++i) {
+                             const auto slot
+                                 = patch_.firstTriangle + static_cast<std::uint32_t>(i);
+                             for (std::uint32_t side = 0; side < 3; ++side) {
+                                 if (link(half(slot, side)) == kUnlinked) {
+                                     rims[piece].push_back(half(slot, side));
+                                 }
+                             }
+                         }
+                     });
+        for (const std::vector<HalfEdge>& rim : rims) {
+            patch_.rim.insert(patch_.rim.end(), rim.begin(), rim.end());
+        }
+    }
+
+    /// Upright and inverted triangles alternate from left to right. Returns the next free slot.
+    std::uint32_t writePair(const Pair& pair, bool linksBelow)
+    {
+        const LatticeRun& lower = *pair.lower;
+        const LatticeRun& upper = *pair.upper;
+        std::uint32_t nextSlot = pair.slot;
         const Span up = upright(lower, upper);
         const Span down = inverted(lower, upper);
-        pairStart_ = nextSlot_;
         const std::int64_t first = std::min(up.count() ? up.first : down.first,
                                             down.count() ? down.first : up.first);
         const std::int64_t last = std::max(up.count() ? up.last : down.last,
                                            down.count() ? down.last : up.last);
-        if (up.count() + down.count() == 0) {
-            return;
-        }
         HalfEdge leftOpen = kUnlinked; // edge (i, j)-(i, j+1) of the inverted triangle i - 1
         for (std::int64_t i = first; i <= last; ++i) {
             HalfEdge slant = kUnlinked; // edge (i + 1, j)-(i, j + 1) of the upright triangle i
             if (i >= up.first && i <= up.last) {
-                const std::uint32_t slot = nextSlot_++;
+                const std::uint32_t slot = nextSlot++;
                 const std::uint32_t a = vertexOf(lower, i);
                 t_.triangles[slot] = {{a, a + 1, vertexOf(upper, i)},
                                       {kUnlinked, kUnlinked, kUnlinked}};
                 connect(half(slot, 1), leftOpen);
-                connect(half(slot, 2), below_[a - firstVertex_]);
+                if (linksBelow) {
+                    connect(half(slot, 2), below_[a - firstVertex_]);
+                }
                 t_.incident[a] = half(slot, 2);
                 slant = half(slot, 0);
             }
             leftOpen = kUnlinked;
             if (i >= down.first && i <= down.last) {
-                const std::uint32_t slot = nextSlot_++;
+                const std::uint32_t slot = nextSlot++;
                 const std::uint32_t c = vertexOf(upper, i);
                 const std::uint32_t a = vertexOf(lower, i + 1);
                 t_.triangles[slot] = {{a, c + 1, c}, {kUnlinked, kUnlinked, kUnlinked}};
@@ -202,6 +295,7 @@ private:
                 leftOpen = half(slot, 2);
             }
         }
+        return nextSlot;
     }
 
     void connect(HalfEdge a, HalfEdge b)
@@ -347,8 +441,7 @@ private:
     Execution& execution_;
     LatticePatch patch_;
     std::uint32_t firstVertex_ = 0;
-    std::uint32_t nextSlot_ = 0;
-    std::uint32_t pairStart_ = 0;
+    std::vector<Pair> pairs_;
     HalfEdge hint_ = kUnlinked;
     std::vector<HalfEdge> below_;
     std::vector<std::uint8_t> inserted_; ///< by lattice point

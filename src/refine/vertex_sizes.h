@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/execution.h"
+#include "base/parallel.h"
 #include "refine/mesh_editor.h"
 #include "refine/refine.h"
 #include "sizing/size_field.h"
@@ -34,10 +35,11 @@ public:
         }
         h_[vertex] = h;
     }
-    void fill(std::uint32_t begin, std::uint32_t end, double h)
+    /// Gives all further vertices up to end the size h.
+    void append(std::uint32_t end, double h, int threads)
     {
-        h_.resize(end, 0.0);
-        std::fill(h_.begin() + begin, h_.end(), h);
+        reserveTouched(threads, h_, end + end / 8);
+        h_.resize(end, h);
     }
     void requireFew(std::size_t triangles) const
     {
