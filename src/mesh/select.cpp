@@ -29,17 +29,22 @@ Counts countDigits(const ValuePieces& values, int leading, std::uint32_t prefix,
 {
     const int shift = std::max(32 - leading - kDigitBits, 0);
     const std::uint32_t mask = (1U << std::min(kDigitBits, 32 - leading)) - 1U;
-    std::vector<Counts> counts(values.size());
-    forEachPiece(threads, values.size(), 1, [&](std::size_t piece, std::size_t, std::size_t) {
-        Counts& own = counts[piece];
-        own.fill(0);
-        for (const float value : values[piece]) {
-            const std::uint32_t key = keyOf(value);
-            if (leading == 0 || key >> (32 - leading) == prefix) {
-                ++own[(key >> shift) & mask];
-            }
-        }
-    });
+    // Several pieces at once, because adding up the counts costs as much as counting a few thousand.
+    const std::size_t together = values.size() / 16 + 1;
+    std::vector<Counts> counts((values.size() + together - 1) / together);
+    forEachPiece(threads, values.size(), together,
+                 [&](std::size_t group, std::size_t begin, std::size_t end) {
+                     Counts& own = counts[group];
+                     own.fill(0);
+                     for (std::size_t piece = begin; piece < end; ++piece) {
+                         for (const float value : values[piece]) {
+                             const std::uint32_t key = keyOf(value);
+                             if (leading == 0 || key >> (32 - leading) == prefix) {
+                                 ++own[(key >> shift) & mask];
+                             }
+                         }
+                     }
+                 });
     Counts sum {};
     for (const Counts& own : counts) {
         for (std::size_t i = 0; i < sum.size(); ++i) {

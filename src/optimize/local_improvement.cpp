@@ -87,16 +87,20 @@ std::vector<std::uint32_t> LocalImprovement::touchedTriangles() const
         }
         return triangles;
     }
-    for (const std::uint32_t v : touched_) {
-        t_.forEachAround(v, [&](HalfEdge h) {
+    const auto isTouchedBefore = [this](std::uint32_t v, std::uint32_t center) {
+        return v < center && (mark_[v] & kTouched) != 0;
+    };
+    for (const std::uint32_t center : touched_) {
+        t_.forEachAround(center, [&](HalfEdge h) {
             const std::uint32_t triangle = Topology::triangleOf(h);
-            if (mesh_.regionOfTriangle[triangle] != WorkingMesh::kOutside) {
+            // Each triangle once: with the first of its corners.
+            if (mesh_.regionOfTriangle[triangle] != WorkingMesh::kOutside
+                && !isTouchedBefore(t_.destination(h), center)
+                && !isTouchedBefore(t_.apex(h), center)) {
                 triangles.push_back(triangle);
             }
         });
     }
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     return triangles;
 }
 

@@ -27,7 +27,7 @@ public:
     /// Works on the bad triangles at these vertices only.
     void improveAround(std::span<const std::uint32_t> vertices);
 
-    /// The kept triangles around all vertices that were worked on so far, ascending. Every bad
+    /// The kept triangles around all vertices that were worked on so far, each once. Every bad
     /// triangle of the mesh is among them after improveAll().
     std::vector<std::uint32_t> touchedTriangles() const;
 
