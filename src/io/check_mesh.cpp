@@ -441,6 +441,7 @@ private:
             result_.outlineLength += distance(points_[side[0]], points_[side[1]]);
         }
         result_.quality = measureQuality(corners, nullptr);
+        result_.corners = std::move(corners);
     }
 
     double areaOf(std::span<const std::uint32_t> nodes, std::size_t corners) const

@@ -28,6 +28,7 @@ struct MeshCheck
     double area = 0.0;   ///< of all elements, curved sides included
     double outlineLength = 0.0; ///< of the sides that one element has, by their chords
     QualityReport quality; ///< of the triangles, by their corners
+    Mesh corners;          ///< these triangles in the mesh's plane
 
     bool valid() const { return problems.empty(); }
 };

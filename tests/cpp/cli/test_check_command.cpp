@@ -35,6 +35,27 @@ TEST(CheckCommand, ValidMesh)
     EXPECT_TRUE(report.contains("mean_quality"));
 }
 
+TEST(CheckCommand, PictureOfAnglesAndWorstTriangles)
+{
+    const Program program;
+    const samples::PlateMesh plate(9);
+    program.give("a.msh", formatMsh(plate.mesh));
+    const Outcome outcome
+        = program.run({"check", "a.msh", "--picture", "a.svg", "--report", "a.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(program.text("a.svg").find("<svg"), std::string::npos);
+    const json report = program.json("a.json");
+    EXPECT_EQ(report["worst"].size(), 10U);
+    EXPECT_EQ(report["worst"][0]["min_angle_deg"], report["min_angle_deg"]);
+    std::size_t counted = 0;
+    for (const json& count : report["angle_histogram"]) {
+        counted += count.get<std::size_t>();
+    }
+    EXPECT_EQ(counted, plate.mesh.triangles.size());
+    EXPECT_EQ(program.run({"check", "a.msh", "--picture", "a.txt"}).status, 2);
+    EXPECT_EQ(program.run({"check", "a.msh", "--picture", "a.msh"}).status, 2);
+}
+
 TEST(CheckCommand, InvalidMeshListsEveryProblem)
 {
     const Program program;
