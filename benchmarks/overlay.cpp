@@ -127,7 +127,7 @@ Section::Run tesseraRun(const Rings& rings, BooleanOperation operation)
     return [network = networkOf(rings), operation](Result& result) {
         OverlayOptions options;
         options.operation = operation;
-        options.triangles = false;
+        options.form = OverlayForm::Polygons;
         Execution execution;
         const OverlayResult overlay = overlayNetwork(network, options, execution);
         result.vertices = overlay.polygons.vertices.size();

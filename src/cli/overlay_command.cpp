@@ -120,7 +120,9 @@ int runOverlay(const OverlayArguments& a)
     options.recovery = a.recovery;
     options.weld = a.weld.value_or(inputs.defaultWeld);
     const std::string extension = extensionOf(a.output);
-    options.triangles = extension != ".wkt" && !isFaceExtension(extension);
+    options.form = isFaceExtension(extension) ? OverlayForm::Faces
+        : extension == ".wkt"                 ? OverlayForm::Polygons
+                                              : OverlayForm::Triangles;
     const double read = clock.seconds();
     OverlayResult result = overlayNetwork(std::move(inputs.network), options, execution,
                                           stages.get());

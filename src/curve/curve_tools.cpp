@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "curve/curve_tools.h"
 
+#include "curve/arc.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,6 +44,20 @@ void addTightBounds(const Curve& curve, double a, double b, double tolerance, in
     box.add(curve.point(middle));
     addTightBounds(curve, a, middle, tolerance, depth - 1, box);
     addTightBounds(curve, middle, b, tolerance, depth - 1, box);
+}
+
+/// Whether the bounds of an arc of an ellipse are certainly within the box: those of its whole
+/// ellipse are.
+bool staysWithin(const Curve& curve, const Box2& box)
+{
+    const auto* arc = dynamic_cast<const EllipseArc*>(&curve);
+    if (arc == nullptr) {
+        return false;
+    }
+    const Vec2 extent {std::hypot(arc->u().x, arc->v().x), std::hypot(arc->u().y, arc->v().y)};
+    const Box2 whole {arc->center() - extent, arc->center() + extent};
+    const Box2 generous = whole.grown(1e-5 * whole.diagonal());
+    return box.contains(generous.min) && box.contains(generous.max);
 }
 
 } // namespace
@@ -123,12 +139,14 @@ Box2 networkBounds(const CurveNetwork& network)
         }
         box.add(network.points[curve.start.index()]);
         box.add(network.points[curve.end.index()]);
-        if (curve.geometry) {
-            box.add(curveBounds(*curve.geometry));
-        }
     }
     for (const EmbeddedPoint& embedded : network.embedded) {
         box.add(network.points[embedded.point.index()]);
+    }
+    for (const NetworkCurve& curve : network.curves) {
+        if (curve.role != Role::Ignored && curve.geometry && !staysWithin(*curve.geometry, box)) {
+            box.add(curveBounds(*curve.geometry));
+        }
     }
     return box;
 }

@@ -456,31 +456,18 @@ ExpandedOverlay expand(const Contraction& contraction, const Pslg& pslg,
     return Expander(contraction, pslg, recovered, vertexOfPoint).run(polygons);
 }
 
-std::vector<ChordArea> chordAreas(const Contraction& contraction, const Pslg& pslg,
-                                  const RecoveryResult& recovered)
+std::vector<double> runAreas(const Contraction& contraction, const Pslg& pslg)
 {
-    const Triangulation& t = recovered.triangulation;
-    std::vector<ChordArea> areas;
-    for (std::size_t i = 0; i < contraction.pieceCount(); ++i) {
-        const auto chain = recovered.constraints.chainOf(ConstraintId(i));
-        if (!contraction.isChord(i)) {
-            continue;
-        }
-        const HalfEdge chord = t.findEdge(chain[0], chain[1]);
-        if (chord == Topology::kDead) {
-            continue; // all on one line
-        }
+    std::vector<double> areas(contraction.pieceCount(), 0.0);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
         const std::uint32_t first = contraction.firstSegment[i];
         const Vec2 from = pslg.points[pslg.segments[first].a.index()];
         Vec2 before {};
-        double twice = 0.0;
         for (std::uint32_t s = first; s < contraction.firstSegment[i + 1]; ++s) {
             const Vec2 step = pslg.points[pslg.segments[s].b.index()] - from;
-            twice += cross(before, step);
+            areas[i] += 0.5 * cross(before, step);
             before = step;
         }
-        areas.push_back({Topology::triangleOf(chord), Topology::triangleOf(t.twin(chord)),
-                         0.5 * twice});
     }
     return areas;
 }

@@ -58,16 +58,8 @@ ExpandedOverlay expand(const Contraction& contraction, const Pslg& pslg,
                        const RecoveryResult& recovered,
                        std::span<const std::uint32_t> vertexOfPoint, const Polygons& polygons);
 
-/// What lies between a chord and its run of segments belongs to the other side.
-struct ChordArea
-{
-    std::uint32_t gaining; ///< triangle of the recovered contraction beside the chord
-    std::uint32_t losing;
-    double area; ///< may be negative
-};
-
-/// By chord. O(n).
-std::vector<ChordArea> chordAreas(const Contraction& contraction, const Pslg& pslg,
-                                  const RecoveryResult& recovered);
+/// By piece: the signed area between it and its run of segments, positive where that is on the right
+/// of it. O(n).
+std::vector<double> runAreas(const Contraction& contraction, const Pslg& pslg);
 
 } // namespace tessera

@@ -7,6 +7,7 @@
 
 #include "arrange/arrange.h"
 #include "base/box2.h"
+#include "curve/chord_area.h"
 #include "curve/network_check.h"
 #include "imprint/contraction.h"
 #include "recover/constraint_map.h"
@@ -14,6 +15,7 @@
 #include "sizing/uniform_size.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -24,6 +26,7 @@ namespace
 {
 
 constexpr double kDefaultChordError = 1e-5; ///< of the bounding box's diagonal
+constexpr double kFacePiecesPerTurn = 12.0;
 
 bool isStraight(const CurveNetwork& network)
 {
@@ -58,6 +61,14 @@ public:
     }
 
 private:
+    /// An area that the triangles on the left of a side miss and those on the right have too much.
+    struct SideArea
+    {
+        std::uint32_t left;
+        std::uint32_t right;
+        double area;
+    };
+
     void arrangeStage()
     {
         execution_.beginStage("arrange", 0.0, 0.1);
@@ -115,8 +126,14 @@ private:
         const double diagonal = box.diagonal() > 0.0 ? box.diagonal() : 1.0;
         SampleOptions sampleOptions;
         sampleOptions.straightSegments = false;
-        sampleOptions.chordError =
-            options_.chordError > 0.0 ? options_.chordError : kDefaultChordError * diagonal;
+        sampleOptions.chordError = options_.chordError;
+        if (options_.form == OverlayForm::Faces) {
+            sampleOptions.piecesPerTurn = kFacePiecesPerTurn;
+            sampleOptions.growth = std::numeric_limits<double>::infinity();
+        }
+        else if (options_.chordError == 0.0) {
+            sampleOptions.chordError = kDefaultChordError * diagonal;
+        }
         result_.pslg = sample(*result_.arranged, UniformSize(diagonal), sampleOptions, execution_);
         stopwatch_.lap(result_.report.seconds.sample);
     }
@@ -129,7 +146,7 @@ private:
             box.add(p);
         }
         result_.rectangle = makeInitialRectangle(box);
-        if (!options_.triangles && stages_ == nullptr) {
+        if (options_.form != OverlayForm::Triangles && stages_ == nullptr) {
             contraction_ = contract(result_.pslg, result_.network(), execution_);
         }
         delaunay_ = triangulate(divided().points, execution_);
@@ -203,10 +220,8 @@ private:
         const BooleanOptions boolean {options_.operation, options_.priority, options_.fill};
         result_.parts = colorBoolean(result_.recovered, result_.network(), divided(), boolean,
                                      execution_);
-        if (contraction_) {
-            chordAreas_ = chordAreas(*contraction_, result_.pslg, result_.recovered);
-        }
-        addChordAreas();
+        findSideAreas();
+        addSideAreas();
         OverlayReport& report = result_.report;
         report.messages.insert(report.messages.end(), result_.parts.messages.begin(),
                                result_.parts.messages.end());
@@ -219,7 +234,50 @@ private:
         stopwatch_.lap(report.seconds.color);
     }
 
-    void addChordAreas()
+    /// What lies between a side and what it stands for: a contracted run, a curve.
+    void findSideAreas()
+    {
+        std::vector<double> areas(divided().segments.size(), 0.0);
+        if (contraction_) {
+            areas = runAreas(*contraction_, result_.pslg);
+        }
+        if (options_.form == OverlayForm::Faces) {
+            addCurveAreas(areas);
+        }
+        const Triangulation& t = result_.recovered.triangulation;
+        const ConstraintMap& map = result_.recovered.constraints;
+        for (std::uint32_t c = 0; c < areas.size(); ++c) {
+            const auto chain = map.chainOf(ConstraintId(c));
+            if (areas[c] == 0.0 || chain.size() < 2) {
+                continue;
+            }
+            // Where several constraints stand for the same curve, it counts once.
+            const auto uses = map.usesOf(*findSubsegment(map, chain[0], chain[1]));
+            const auto first = std::find_if(uses.begin(), uses.end(), [&](const ConstraintUse& u) {
+                return areas[u.constraint.index()] != 0.0;
+            });
+            const HalfEdge side = t.findEdge(chain[0], chain[1]);
+            if (first->constraint == ConstraintId(c) && side != Topology::kDead) {
+                sideAreas_.push_back({Topology::triangleOf(side), Topology::triangleOf(t.twin(side)),
+                                      areas[c]});
+            }
+        }
+    }
+
+    void addCurveAreas(std::vector<double>& areas) const
+    {
+        std::size_t piece = 0;
+        for (std::size_t s = 0; s < result_.pslg.segments.size(); ++s) {
+            const PslgSegment& segment = result_.pslg.segments[s];
+            const Curve* curve = result_.network().curves[segment.curve.index()].geometry.get();
+            piece = !contraction_ ? s : piece + (contraction_->firstSegment[piece + 1] == s ? 1 : 0);
+            if (curve != nullptr) {
+                areas[piece] += chordArea(*curve, segment.ta, segment.tb);
+            }
+        }
+    }
+
+    void addSideAreas()
     {
         const auto add = [this](std::uint32_t triangle, double area) {
             const std::uint32_t part = result_.parts.partOfTriangle[triangle];
@@ -227,9 +285,9 @@ private:
                 result_.parts.parts[part].area += area;
             }
         };
-        for (const ChordArea& chord : chordAreas_) {
-            add(chord.gaining, chord.area);
-            add(chord.losing, -chord.area);
+        for (const SideArea& side : sideAreas_) {
+            add(side.left, side.area);
+            add(side.right, -side.area);
         }
     }
 
@@ -244,9 +302,9 @@ private:
                     0.5 * cross(t.points[v[1]] - t.points[v[0]], t.points[v[2]] - t.points[v[0]]);
             }
         }
-        for (const ChordArea& chord : chordAreas_) {
-            area[static_cast<std::size_t>(result_.parts.theta[chord.gaining])] += chord.area;
-            area[static_cast<std::size_t>(result_.parts.theta[chord.losing])] -= chord.area;
+        for (const SideArea& side : sideAreas_) {
+            area[static_cast<std::size_t>(result_.parts.theta[side.left])] += side.area;
+            area[static_cast<std::size_t>(result_.parts.theta[side.right])] -= side.area;
         }
         const Vec2 extent = result_.rectangle.corner[2] - result_.rectangle.corner[0];
         const auto of = [&area](Theta theta) { return area[static_cast<std::size_t>(theta)]; };
@@ -284,7 +342,7 @@ private:
     StageStopwatch stopwatch_;
     std::size_t firstCrossing_ = 0; ///< among the points of the arranged network
     std::optional<Contraction> contraction_;
-    std::vector<ChordArea> chordAreas_;
+    std::vector<SideArea> sideAreas_;
     DelaunayResult delaunay_;
     std::vector<std::uint32_t> vertexOfPoint_;
     OverlayResult result_;

@@ -20,6 +20,16 @@
 namespace tessera
 {
 
+/// What is wanted of an overlay: the less, the sooner it is there.
+enum class OverlayForm : std::uint8_t
+{
+    Triangles, ///< and polygons
+    Polygons,  ///< runs of segments near which there is nothing else need not be triangulated, and
+               ///< the result may have no triangles
+    Faces,     ///< on the original curves, with their areas; the polygons only have the topology of
+               ///< the curves, so that chordError has no default
+};
+
 struct OverlayOptions
 {
     BooleanOperation operation = BooleanOperation::Union;
@@ -30,9 +40,7 @@ struct OverlayOptions
     /// Greatest distance of the polygons from curved input, in its unit; 0: 1e-5 of the bounding
     /// box's diagonal. Straight input is not sampled.
     double chordError = 0.0;
-    /// Whether the triangles are wanted besides the polygons. Without them, runs of segments near
-    /// which there is nothing else need not be triangulated, and the result may have none.
-    bool triangles = true;
+    OverlayForm form = OverlayForm::Triangles;
 };
 
 /// Areas of the paper's Algorithm 2; e is what the initial rectangle has besides the others.
@@ -68,8 +76,8 @@ struct OverlayResult
     std::vector<CurveId> parent; ///< by arranged curve: the input curve
     Pslg pslg;                   ///< of network()
     InitialRectangle rectangle {};
-    /// With !OverlayOptions::triangles perhaps without triangles, vertexMap included; then those of
-    /// parts have no entries either.
+    /// Unless OverlayForm::Triangles, perhaps without triangles and vertexMap; then parts says
+    /// nothing by triangle either.
     RecoveryResult recovered;
     BooleanParts parts;
     std::vector<VertexOrigin> origin; ///< by vertex: Crossing where curves cross

@@ -88,7 +88,8 @@ public:
             const Separation separation = separatePieces(pslg_.points, pieces_, execution_);
             // Curves that run on each other unshared come apart at no size.
             const bool hopeless = !separation.done || pieces_.size() > kMostGrowth * sampled + 1000;
-            if (separation.halves.empty() || hopeless || round == kMostRounds) {
+            const bool halved = std::isinf(options_.growth);
+            if (separation.halves.empty() || hopeless || halved || round == kMostRounds) {
                 break;
             }
             for (const CurvePiece& half : separation.halves) {
@@ -397,7 +398,7 @@ Pslg sample(const CurveNetwork& network, const SizeField& size, const SampleOpti
         throw Error(ErrorKind::InvalidOption,
                     "The pieces for a full turn must be between 3 and 10000.");
     }
-    if (!(options.growth > 0.0) || !std::isfinite(options.growth)) {
+    if (!(options.growth > 0.0)) {
         throw Error(ErrorKind::InvalidOption, "The growth rate must be above 0.");
     }
     if (!(options.mostPieces > 0.0)) {

@@ -23,7 +23,8 @@ struct SampleOptions
     /// as curvature tells it: sagitta = piece^2 curvature / 8.
     double chordError = 0.0;
     /// How fast pieces may become longer away from places where the size is not fine enough to keep
-    /// curves apart; above 0. Where the size field itself grows faster, as fast as that.
+    /// curves apart; above 0. Where the size field itself grows faster, as fast as that. Infinite:
+    /// only pieces that are in the way of others are halved, which takes one sampling.
     double growth = 0.3;
     double mostPieces = kMostPieces; ///< what would become more is refused
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.h"
 #include "curve/arc.h"
+#include "curve/chord_area.h"
 #include "curve/curve_tools.h"
 #include "curve/curve_views.h"
 #include "curve/line.h"
@@ -202,6 +203,28 @@ TEST(CurveViews, TrimAndReverse)
     EXPECT_EQ(reversed.breaks(), (std::vector<double> {1.5}));
     EXPECT_EQ(reversed.derivative(0.75), (Vec2 {0, -1}));
     expectDerivativesMatch(ReversedCurve(makeEllipseArc({0, 0}, 2, 1, 0.3, 0.2, 3.0)), 10.0);
+}
+
+TEST(ChordArea, LiesBetweenAPieceAndItsChord)
+{
+    const auto arc = makeCircleArc({3.0, -2.0}, 2.0, 0.5, 4.0);
+    const double segment = 0.5 * 4.0 * (3.5 - std::sin(3.5));
+    EXPECT_NEAR(chordArea(*arc, arc->first(), arc->last()), segment, 1e-14);
+    EXPECT_NEAR(chordArea(*arc, arc->last(), arc->first()), -segment, 1e-14);
+    const ReversedCurve reversed(arc);
+    EXPECT_NEAR(chordArea(reversed, reversed.first(), reversed.last()), -segment, 1e-14);
+    const TrimmedCurve trimmed(arc, arc->first() + 1.0, arc->first() + 2.0);
+    EXPECT_NEAR(chordArea(trimmed, trimmed.first(), trimmed.last()),
+                0.5 * 4.0 * (1.0 - std::sin(1.0)), 1e-14);
+
+    const Cubic cubic; // the diagonal is above y = x^3 from 0 to 1, below it from -1 to 0
+    EXPECT_NEAR(chordArea(cubic, 0.0, 1.0), 0.25, 1e-14);
+    EXPECT_NEAR(chordArea(cubic, 1.0, 0.0), -0.25, 1e-14);
+    EXPECT_NEAR(chordArea(cubic, -1.0, 1.0), 0.0, 1e-14);
+
+    EXPECT_NEAR(chordArea(LineCurve({1.0, 2.0}, {3.0, -1.0}), 0.0, 1.0), 0.0, 1e-15);
+    const PolylineCurve corners({{0.0, 0.0}, {2.0, -1.0}, {3.0, 1.0}, {1.0, 4.0}});
+    EXPECT_NEAR(chordArea(corners, corners.first(), corners.last()), 0.5 * (5.0 + 11.0), 1e-13);
 }
 
 } // namespace

@@ -172,7 +172,7 @@ protected:
         OverlayOptions options;
         options.operation = operation;
         options.fill = fill;
-        options.triangles = false;
+        options.form = OverlayForm::Polygons;
         Execution execution;
         const OverlayResult result = overlayNetwork(join(operands, order), options, execution);
         ++runs_;
@@ -194,7 +194,8 @@ protected:
         OverlayOptions options;
         options.operation = operation;
         options.fill = fill;
-        options.triangles = std::is_sorted(order.begin(), order.end());
+        options.form = std::is_sorted(order.begin(), order.end()) ? OverlayForm::Triangles
+                                                                  : OverlayForm::Polygons;
         Execution execution;
         const OverlayResult result = overlayNetwork(join(operands, order), options, execution);
         ++runs_;

@@ -31,6 +31,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <random>
 
 namespace tessera
 {
@@ -43,7 +44,8 @@ struct Circle
     double radius;
 };
 
-OverlayResult overlayCircles(const std::vector<Circle>& circles, BooleanOperation operation)
+OverlayResult overlayCircles(const std::vector<Circle>& circles, BooleanOperation operation,
+                             OverlayForm form = OverlayForm::Triangles)
 {
     CurveNetwork network;
     network.operands.resize(circles.size());
@@ -56,6 +58,7 @@ OverlayResult overlayCircles(const std::vector<Circle>& circles, BooleanOperatio
     }
     OverlayOptions options;
     options.operation = operation;
+    options.form = form;
     Execution execution;
     return overlayNetwork(std::move(network), options, execution);
 }
@@ -131,6 +134,41 @@ TEST(OverlayFaces, ManyOverlappingCirclesCoverWhatTheirAnglesSay)
     EXPECT_EQ(countOf(faces, TopAbs_FACE), 79U);
     const double lens = 2.0 * std::acos(0.75) - 0.75 * std::sqrt(4.0 - 2.25);
     EXPECT_NEAR(areaOf(faces), 40.0 * std::numbers::pi - 39.0 * lens, 1e-9);
+}
+
+/// Form Faces: coarse polygons with the same topology, areas of the curves themselves.
+TEST(OverlayFaces, CoarsePolygonsGiveTheSameFacesAndTrueAreas)
+{
+    std::mt19937_64 random(8);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::vector<Circle> circles {{{0.5, 0.5}, 0.25}, {{0.5, 0.5}, 0.25}}; // one twice
+    circles.push_back({{0.5, 0.5}, 0.25001});                             // one almost
+    for (int i = 0; i < 30; ++i) {
+        circles.push_back({{unit(random), unit(random)}, 0.02 + 0.2 * unit(random)});
+    }
+    for (const BooleanOperation operation :
+         {BooleanOperation::Cells, BooleanOperation::Union, BooleanOperation::Difference,
+          BooleanOperation::SymmetricDifference}) {
+        const OverlayResult fine = overlayCircles(circles, operation);
+        const OverlayResult coarse = overlayCircles(circles, operation, OverlayForm::Faces);
+        EXPECT_LT(coarse.pslg.points.size(), fine.pslg.points.size() / 2);
+        const TopoDS_Compound faces = facesOf(coarse, {});
+        EXPECT_TRUE(isValid(faces));
+        ASSERT_EQ(countOf(faces, TopAbs_FACE), coarse.parts.parts.size());
+        EXPECT_EQ(countOf(faces, TopAbs_FACE), fine.parts.parts.size());
+        EXPECT_EQ(countOf(faces, TopAbs_EDGE), countOf(facesOf(fine, {}), TopAbs_EDGE));
+        EXPECT_NEAR(areaOf(faces), coarse.report.area, 1e-12);
+        EXPECT_NEAR(areaOf(facesOf(fine, {})), coarse.report.area, 1e-12);
+        std::size_t part = 0;
+        for (TopExp_Explorer face(faces, TopAbs_FACE); face.More(); face.Next(), ++part) {
+            EXPECT_NEAR(areaOf(face.Current()), coarse.parts.parts[part].area, 1e-12);
+        }
+    }
+    const OverlayResult two = overlayCircles({{{0.0, 0.0}, 1.0}, {{1.0, 0.0}, 1.0}},
+                                             BooleanOperation::Union, OverlayForm::Faces);
+    const double lens = 2.0 * std::numbers::pi / 3.0 - std::sqrt(3.0) / 2.0;
+    EXPECT_NEAR(two.report.theta->o, lens, 1e-14);
+    EXPECT_NEAR(two.report.theta->t, std::numbers::pi - lens, 1e-14);
 }
 
 /// A closed B-spline as FreeCAD draws it, whose stored range may differ from its period by rounding.
