@@ -311,6 +311,36 @@ def boolean(document):
     polygon(star, corners)
 
 
+# Imprint: sources and targets of a sweep that cross each other
+
+
+def flat(z, *corners):
+    """A face with straight edges."""
+    points = [V(x, y, z) for x, y in corners]
+    return Part.Face(Part.makePolygon([*points, points[0]]))
+
+
+def imprint_sources():
+    """Three strips of a plate."""
+    return [
+        flat(0, (0, 0), (3, 0), (5, 8), (0, 8)),
+        flat(0, (3, 0), (9, 0), (7, 8), (5, 8)),
+        flat(0, (9, 0), (12, 0), (12, 8), (7, 8)),
+    ]
+
+
+def imprint_targets():
+    """A disk and three pieces of the plate around it, higher up."""
+    z = 10
+    disk = Part.Face(Part.Wire(Part.makeCircle(2.5, V(6, 4, z))))
+    around = [
+        flat(z, (0, 0), (12, 0), (12, 4), (0, 4)),
+        flat(z, (0, 4), (6, 4), (6, 8), (0, 8)),
+        flat(z, (6, 4), (12, 4), (12, 8), (6, 8)),
+    ]
+    return [disk] + [face.cut(disk).Faces[0] for face in around]
+
+
 def save(document, path):
     """Saves with fixed times and numbers instead of today's: equal drawings are equal files."""
     uid = str(uuid.uuid5(uuid.NAMESPACE_DNS, "tessera." + document.Name)).encode()
@@ -346,6 +376,8 @@ def main():
         for sketch in document.findObjects("Sketcher::SketchObject"):
             print(make.__name__, sketch.Label, sketch.GeometryCount, "curves")
         FreeCAD.closeDocument(document.Name)
+    for make in (imprint_sources, imprint_targets):
+        Part.Compound(make()).exportBrep(os.path.join(folder, make.__name__ + ".brep"))
 
 
 try:

@@ -28,7 +28,7 @@ namespace
 
 constexpr int kRounds = 3;
 constexpr double kCoarseChord = 1e-5; ///< of the bounding box's diagonal, as for overlays
-constexpr double kFineChord = 1e-7;   ///< no finer for any tolerance
+constexpr double kFineChord = 1e-6;   ///< no finer for any tolerance
 
 class Imprint
 {
@@ -91,7 +91,8 @@ private:
         for (const Vec2 p : network_.points) {
             box.add(p);
         }
-        if (options.chordError == 0.0 && options_.tolerance > 0.0 && box.diagonal() > 0.0) {
+        if (options.chordError == 0.0 && options_.tolerance > options_.weld
+            && box.diagonal() > 0.0) {
             options.chordError = std::min(kCoarseChord * box.diagonal(),
                                           std::max(options_.tolerance / 8.0,
                                                    kFineChord * box.diagonal()));

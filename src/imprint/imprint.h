@@ -28,7 +28,7 @@ struct ImprintOptions
     double weld = 0.0;
     FillRule fill = FillRule::EvenOdd; ///< within each operand; not Hull
     RecoveryStrategy recovery = RecoveryStrategy::Cavity;
-    double chordError = 0.0; ///< as OverlayOptions::chordError; 0: finer for a small tolerance
+    double chordError = 0.0; ///< as OverlayOptions::chordError; 0: finer for a tolerance above weld
 };
 
 /// A piece of the common refinement. Sources are numbered from 0 among the sources, in the order of

@@ -2,6 +2,7 @@
 """tessera.imprint() and tessera.overlay() with FreeCAD's objects and faces."""
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -95,6 +96,26 @@ def test_solids_sketches_and_links(document):
     with pytest.raises(tessera.InvalidInputError) as caught:
         tessera.imprint((box, [bottom]), (box, ["Face6", "Face2"]))
     assert caught.value.places[0].element == "Face2"
+
+
+def test_parts_that_contain_the_faces_are_seen(document):
+    part = document.addObject("App::Part", "Part")
+    upper = document.addObject("Part::Feature", "Upper")
+    upper.Shape = polygon(0, (0, 0), (1, 0), (1, 1), (0, 1))
+    part.addObject(upper)
+    part.Placement = FreeCAD.Placement(Vector(3, 0, 5), FreeCAD.Rotation())
+    document.recompute()
+    result = tessera.imprint(polygon(0, (3, 0), (4, 0), (4, 1), (3, 1)), upper)
+    assert not result.left and len(result.cells) == 1
+    assert result.target_faces()[0][0].BoundBox.Center.distanceToPoint(Vector(3.5, 0.5, 5)) < 1e-6
+
+
+def test_the_bundled_example():
+    folder = Path(__file__).resolve().parents[2] / "resources" / "examples"
+    result = tessera.imprint(folder / "imprint_sources.brep", folder / "imprint_targets.brep")
+    assert [side.name for side in result.sources] == [f"imprint_sources_Face{i}" for i in (1, 2, 3)]
+    assert len(result.targets) == 4 and len(result.cells) == 10 and not result.left
+    assert result.area == pytest.approx(96.0)
 
 
 def test_overlay_gives_part_faces():

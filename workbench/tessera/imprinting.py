@@ -253,7 +253,7 @@ def _add_cad(data, items, sides):
         if source is None:
             data.add_file(os.fspath(item), side)
         else:
-            data.add_shape(source.native(next(prefixes), source.placement), side)
+            data.add_shape(source.native(next(prefixes), shapes.to_space(source)), side)
 
 
 def imprint(

@@ -101,6 +101,18 @@ def make_source(item, construction):
     return _from_shape(item, "", item)
 
 
+def to_space(source):
+    """The placement that brings a source's shape from where it is given to where the user sees it,
+    the bodies and parts that contain it included; None: it is there."""
+    owner = source.owner
+    container = FreeCAD.Placement()
+    if hasattr(owner, "getGlobalPlacement"):
+        container = owner.getGlobalPlacement().multiply(owner.Placement.inverse())
+    own = source.placement or FreeCAD.Placement()
+    placement = container.multiply(own)
+    return None if placement.isIdentity() else placement
+
+
 def _from_shape(owner, label, shape):
     if shape.isNull():
         name = label or "The shape"

@@ -4,13 +4,16 @@
 
 #include "imprint/geos.h"
 #include "imprint/imprint_cases.h"
+#include "io/overlay_files.h"
 
 #include <gtest/gtest.h>
 
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
 
 namespace tessera
@@ -173,6 +176,62 @@ TEST(ImprintOracle, RandomSourcesAndTargets)
         }
         EXPECT_EQ(reported, mismatched);
         EXPECT_TRUE(result.closed.empty());
+    }
+}
+
+/// Any corners, edges cross each other and themselves; on a coarse grid in every other case.
+Ring tangledRing(std::mt19937_64& random, bool grid)
+{
+    std::uniform_real_distribution<double> unit(0.0, 10.0);
+    Ring ring;
+    for (std::size_t i = 3 + random() % 8; i > 0; --i) {
+        const Vec2 p {unit(random), unit(random)};
+        ring.push_back(grid ? Vec2 {std::floor(p.x), std::floor(p.y)} : p);
+    }
+    return ring;
+}
+
+TEST(ImprintOracle, AnyInputWithAnyToleranceGivesValidCells)
+{
+    const test::Geos geos;
+    std::mt19937_64 random(3);
+    for (int run = 0; run < 150; ++run) {
+        SCOPED_TRACE(run);
+        ImprintCase c;
+        for (std::size_t i = 1 + random() % 3; i > 0; --i) {
+            addSource(c, tangledRing(random, run % 2 == 0));
+        }
+        for (std::size_t i = 1 + random() % 3; i > 0; --i) {
+            addTarget(c, tangledRing(random, run % 2 == 0));
+        }
+        ImprintOptions options;
+        options.tolerance = std::pow(10.0, -6.0 + static_cast<double>(random() % 8));
+        ImprintResult result;
+        ASSERT_NO_THROW(result = imprint(c, options)) << options.tolerance;
+        ASSERT_EQ(result.cells.size(), result.overlay.polygons.size());
+        double sum = 0.0;
+        for (const ImprintCell& cell : result.cells) {
+            EXPECT_GT(cell.area, 0.0);
+            EXPECT_FALSE(cell.sources.empty() && cell.targets.empty());
+            sum += cell.area;
+        }
+        if (result.cells.empty()) {
+            continue;
+        }
+        const std::string text = formatWkt(result.overlay, BooleanOperation::Cells);
+        test::Geos::Geometry all;
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            auto cell = geos.read(line);
+            ASSERT_EQ(geos.whyInvalid(cell.get()), "");
+            all = all ? geos.own(GEOSUnion_r(geos.context(), all.get(), cell.get()))
+                      : std::move(cell);
+        }
+        // Cells do not overlap.
+        EXPECT_NEAR(geos.area(all.get()), sum, 1e-9 * sum);
+        for (const Mismatch& closed : result.closed) {
+            EXPECT_LE(closed.width, options.tolerance);
+        }
     }
 }
 
