@@ -7,15 +7,14 @@
 #include "cli/run_control.h"
 #include "cli/run_options.h"
 #include "imprint/imprint.h"
-#include "imprint/overlay_mesh.h"
 #include "io/atomic_file.h"
 #include "io/counted.h"
 #include "io/imprint_report.h"
-#include "io/overlay_files.h"
 #include "io/read_network.h"
 #include "io/text_file.h"
 #include "occt/imprint_faces.h"
 #include "vtk/mesh_file.h"
+#include "vtk/overlay_file.h"
 
 #include <cmath>
 #include <memory>
@@ -112,14 +111,7 @@ void writeResult(const ImprintResult& result, const ImprintInput& input, const I
         writeImprint(result, input, a.output);
         return;
     }
-    if (extension != ".wkt" && extension != ".poly") {
-        writeMesh(meshOf(result.overlay), a.output, &result.overlay.input);
-        return;
-    }
-    AtomicFile file(a.output);
-    file.write(extension == ".wkt" ? formatWkt(result.overlay, BooleanOperation::Cells)
-                                   : formatPoly(result.overlay));
-    file.commit();
+    writeOverlay(result.overlay, BooleanOperation::Cells, a.output);
 }
 
 void printSummary(const ImprintResult& result, const ImprintArguments& a, double seconds)

@@ -7,15 +7,14 @@
 #include "cli/run_control.h"
 #include "cli/run_options.h"
 #include "imprint/overlay.h"
-#include "imprint/overlay_mesh.h"
 #include "io/atomic_file.h"
 #include "io/counted.h"
-#include "io/overlay_files.h"
 #include "io/overlay_pictures.h"
 #include "io/overlay_report.h"
 #include "io/read_network.h"
 #include "occt/overlay_faces.h"
 #include "vtk/mesh_file.h"
+#include "vtk/overlay_file.h"
 
 #include <memory>
 #include <optional>
@@ -83,13 +82,7 @@ void writeResult(const OverlayResult& result, const PlaneFrame& frame, const Ove
         writeFaces(result, frame, a.output);
         return;
     }
-    if (extension != ".wkt" && extension != ".poly") {
-        writeMesh(meshOf(result), a.output, &result.input);
-        return;
-    }
-    AtomicFile file(a.output);
-    file.write(extension == ".wkt" ? formatWkt(result, a.operation) : formatPoly(result));
-    file.commit();
+    writeOverlay(result, a.operation, a.output);
 }
 
 int runOverlay(const OverlayArguments& a)

@@ -47,7 +47,7 @@ Box2 boundsOf(const Mesh& mesh)
     return box;
 }
 
-void drawMesh(Canvas& canvas, const Mesh& mesh)
+void drawMesh(Canvas& canvas, const Mesh& mesh, bool triangleSides)
 {
     DrawnTriangles triangles;
     triangles.points = mesh.nodes;
@@ -56,7 +56,9 @@ void drawMesh(Canvas& canvas, const Mesh& mesh)
     triangles.middles = mesh.triangleMidNodes;
     const std::vector<DrawnEdge> sides = sidesOf(triangles);
     fillClasses(canvas, mesh.nodes, sides, chooseColors(sides, mesh.regions.size()));
-    strokeEdges(canvas, mesh.nodes, sides, {kWireColor, 1.1, 14.0, 0.12});
+    if (triangleSides) {
+        strokeEdges(canvas, mesh.nodes, sides, {kWireColor, 1.1, 14.0, 0.12});
+    }
 
     const ConstraintEdges constraints = constraintEdges(mesh);
     strokeEdges(canvas, mesh.nodes, constraints.inside, {kConstraintColor, 2.8, 6.0, 1.8});
@@ -73,7 +75,7 @@ void drawMesh(Canvas& canvas, const Mesh& mesh)
 std::string drawMesh(const Mesh& mesh, const PictureOptions& options)
 {
     Canvas canvas(options.view.value_or(boundsOf(mesh)), options.format, options.caption);
-    drawMesh(canvas, mesh);
+    drawMesh(canvas, mesh, options.triangleSides);
     return canvas.finish();
 }
 

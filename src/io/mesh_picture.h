@@ -16,6 +16,7 @@ struct PictureOptions
     PictureFormat format = PictureFormat::Svg;
     std::string caption;      ///< empty: none
     std::optional<Box2> view; ///< what to show; none: the whole mesh
+    bool triangleSides = true; ///< false: regions and curves only
 };
 
 /// A picture of the mesh as the content of an .svg or .png file: regions in colors, the outline
@@ -23,7 +24,7 @@ struct PictureOptions
 std::string drawMesh(const Mesh& mesh, const PictureOptions& options);
 
 /// The same on a canvas that is there.
-void drawMesh(Canvas& canvas, const Mesh& mesh);
+void drawMesh(Canvas& canvas, const Mesh& mesh, bool triangleSides = true);
 
 /// Box of all nodes.
 Box2 boundsOf(const Mesh& mesh);

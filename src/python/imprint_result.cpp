@@ -2,9 +2,7 @@
 #include "python/imprint_result.h"
 
 #include "imprint/imprint.h"
-#include "imprint/overlay_mesh.h"
 #include "io/append_network.h"
-#include "io/atomic_file.h"
 #include "io/imprint_report.h"
 #include "io/overlay_files.h"
 #include "io/read_network.h"
@@ -13,7 +11,7 @@
 #include "occt/read_shape.h"
 #include "python/network_input.h"
 #include "python/progress_bridge.h"
-#include "vtk/mesh_file.h"
+#include "vtk/overlay_file.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -204,20 +202,11 @@ std::vector<std::tuple<bool, std::size_t, std::uint32_t>> originsOf(const Imprin
 
 void write(const ImprintHolder& holder, const std::string& path)
 {
-    const std::string extension = extensionOf(path);
     if (isCadFile(path)) {
         writeImprint(holder.result, holder.input, path);
         return;
     }
-    const OverlayResult& overlay = holder.result.overlay;
-    if (extension != ".wkt" && extension != ".poly") {
-        writeMesh(meshOf(overlay), path, &overlay.input);
-        return;
-    }
-    AtomicFile file(path);
-    file.write(extension == ".wkt" ? formatWkt(overlay, BooleanOperation::Cells)
-                                   : formatPoly(overlay));
-    file.commit();
+    writeOverlay(holder.result.overlay, BooleanOperation::Cells, path);
 }
 
 } // namespace

@@ -2,15 +2,13 @@
 #include "python/overlay_result.h"
 
 #include "imprint/overlay.h"
-#include "imprint/overlay_mesh.h"
-#include "io/atomic_file.h"
 #include "io/overlay_files.h"
 #include "io/overlay_report.h"
 #include "io/read_network.h"
 #include "occt/overlay_faces.h"
 #include "python/network_input.h"
 #include "python/progress_bridge.h"
-#include "vtk/mesh_file.h"
+#include "vtk/overlay_file.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -124,14 +122,7 @@ void write(const OverlayHolder& holder, const std::string& path)
         writeFaces(holder.result, holder.frame, path);
         return;
     }
-    if (extension != ".wkt" && extension != ".poly") {
-        writeMesh(meshOf(holder.result), path, &holder.result.input);
-        return;
-    }
-    AtomicFile file(path);
-    file.write(extension == ".wkt" ? formatWkt(holder.result, holder.operation)
-                                   : formatPoly(holder.result));
-    file.commit();
+    writeOverlay(holder.result, holder.operation, path);
 }
 
 } // namespace

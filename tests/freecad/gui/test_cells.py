@@ -77,12 +77,18 @@ def pair(document):
     return made
 
 
+def gl_widget():
+    """What the 3D view is drawn on."""
+    widgets = window.visible_widgets()
+    (widget,) = [w for w in widgets if w.metaObject().className().endswith("GLWidget")]
+    return widget
+
+
 def click(point):
     """Clicks in the 3D view where a point in space is seen."""
     view = FreeCADGui.activeDocument().activeView()
     x, y = view.getPointOnScreen(point)
-    widgets = window.visible_widgets()
-    (viewport,) = [w for w in widgets if w.metaObject().className().endswith("GLWidget")]
+    viewport = gl_widget()
     ratio = viewport.devicePixelRatio()
     position = QtCore.QPointF(x / ratio, viewport.height() - 1 - y / ratio)
     for kind, buttons in (
@@ -94,6 +100,16 @@ def click(point):
         event = QtGui.QMouseEvent(kind, position, button, buttons, QtCore.Qt.NoModifier)
         QtCore.QCoreApplication.sendEvent(viewport, event)
         window.wait(0.1)
+
+
+def color_at(path, point):
+    """Color in a picture of the screen where a point in space is seen."""
+    view = FreeCADGui.activeDocument().activeView()
+    viewport = gl_widget()
+    x, y = view.getPointOnScreen(point)
+    corner = viewport.mapToGlobal(QtCore.QPoint(0, 0))
+    image = QtGui.QImage(str(path))
+    return image.pixelColor(corner.x() + x, corner.y() + viewport.height() - 1 - y).getRgb()
 
 
 def booleans(document):
@@ -115,6 +131,9 @@ def test_boolean_by_picking_cells(document, pair, output):
     assert obj.Shape.Area == pytest.approx(math.pi, rel=1e-9)
     assert len(obj.Shape.Faces) == 2 and obj.Shape.isValid()
     window.picture(output / "boolean-done.png")
+    assert color_at(output / "boolean-done.png", Vector(-0.5, 0, 0)) != color_at(
+        output / "boolean-done.png", Vector(0.5, 0, 0)
+    ), "each cell has a color of its own"
     window.undo(document)
     assert not booleans(document)
     window.redo(document)

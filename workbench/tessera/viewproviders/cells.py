@@ -38,9 +38,17 @@ class ViewProviderCells:
 
     @staticmethod
     def paint(view_object):
+        """Matt: a shiny plane is white when seen from above."""
         numbers = getattr(view_object.Object, "FaceCells", [])
-        if numbers and len(numbers) == len(view_object.Object.Shape.Faces):
-            view_object.DiffuseColor = [(*cells.color(number), 0.0) for number in numbers]
+        if not numbers or len(numbers) != len(view_object.Object.Shape.Faces):
+            return
+        if "ShapeAppearance" in view_object.PropertiesList:
+            view_object.ShapeAppearance = tuple(_matt(cells.color(number)) for number in numbers)
+            return
+        material = view_object.ShapeMaterial  # before FreeCAD 1.0
+        material.SpecularColor = (0.0, 0.0, 0.0)
+        view_object.ShapeMaterial = material
+        view_object.DiffuseColor = [(*cells.color(number), 0.0) for number in numbers]
 
     def doubleClicked(self, view_object):
         """Opens the task panel."""
@@ -65,6 +73,13 @@ class ViewProviderCells:
             return None
         FreeCADGui.Control.closeDialog()
         return True
+
+
+def _matt(color):
+    material = FreeCAD.Material()
+    material.DiffuseColor = color
+    material.SpecularColor = (0.0, 0.0, 0.0)
+    return material
 
 
 class ViewProviderBoolean(ViewProviderCells):
