@@ -73,7 +73,7 @@ struct MeshReport
         int runs = 0;
     } count;
     double weld = 0.0;        ///< the tolerance used
-    std::size_t welded = 0;   ///< end points joined by it
+    std::size_t welded = 0;   ///< end points joined by it to others, or to curves
     std::vector<std::string> messages; ///< for the user: holes by even-odd, welds, dropped parts
     StageSeconds seconds;
 };

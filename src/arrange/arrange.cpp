@@ -61,16 +61,24 @@ std::vector<Vec2> compactPoints(const CurveNetwork& network, const std::vector<s
 
 /// A curve whose two ends became one although it is no longer than the welding can bridge has
 /// collapsed: without geometry it is a straight curve of zero length, which sampling drops.
-void collapseShortCurves(const CurveNetwork& before, double weld, CurveNetwork& network)
+/// Returns how many did, those aside that had no length before.
+std::size_t collapseShortCurves(const CurveNetwork& before, double weld, CurveNetwork& network)
 {
+    std::size_t count = 0;
     for (std::size_t c = 0; c < network.curves.size(); ++c) {
         NetworkCurve& curve = network.curves[c];
-        if (curve.geometry && curve.start == curve.end
-            && before.curves[c].start != before.curves[c].end
-            && arcLength(*curve.geometry) <= 2.0 * weld) {
-            curve.geometry = nullptr;
+        const Vec2 a = before.points[before.curves[c].start.index()];
+        const Vec2 b = before.points[before.curves[c].end.index()];
+        if (curve.start != curve.end || before.curves[c].start == before.curves[c].end) {
+            continue;
         }
+        if (curve.geometry && arcLength(*curve.geometry) > 2.0 * weld) {
+            continue;
+        }
+        count += curve.role != Role::Ignored && (curve.geometry || !(a == b)) ? 1 : 0;
+        curve.geometry = nullptr;
     }
+    return count;
 }
 
 std::string number(double value)
@@ -80,13 +88,29 @@ std::string number(double value)
     return text;
 }
 
+std::string counted(std::size_t count, const char* one, const char* several)
+{
+    return std::to_string(count) + (count == 1 ? one : several);
+}
+
 void addMessages(double weld, ArrangeReport& report)
 {
+    const std::string within = " within the weld tolerance " + number(weld);
     if (report.welded > 0) {
+        std::string text = counted(report.welded, " end point was", " end points were")
+            + " joined to another one" + within + ".";
+        if (report.swallowed > 0) {
+            text.append(" ")
+                .append(counted(report.swallowed, " curve", " curves"))
+                .append(" no longer than that vanished; choose a smaller tolerance.");
+        }
+        report.messages.push_back(std::move(text));
+    }
+    if (report.weldedOnto > 0) {
         report.messages.push_back(
-            std::to_string(report.welded)
-            + (report.welded == 1 ? " end point was" : " end points were")
-            + " joined to another one within the weld tolerance " + number(weld) + ".");
+            counted(report.weldedOnto, " end point was", " end points were")
+            + " joined to the inside of a curve" + within + ", which bends curves by up to "
+            + number(report.greatestBend) + ".");
     }
     if (!report.chainsLeft.empty()) {
         const Vec2 place = report.chainsLeft.front().position;
@@ -130,7 +154,7 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
     for (EmbeddedPoint& embedded : result.embedded) {
         embedded.point = report.pointOf[embedded.point.index()];
     }
-    collapseShortCurves(network, options.weld, result);
+    report.swallowed = collapseShortCurves(network, options.weld, result);
     if (report.welded > 0) {
         renewPolyRoles(result);
     }
@@ -145,6 +169,7 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
     }
     crossCurves(result, options, report, execution);
     addMessages(tolerance, report);
+    report.welded += report.weldedOnto;
     return result;
 }
 

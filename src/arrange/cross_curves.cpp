@@ -85,6 +85,7 @@ public:
         }
         const std::vector<CurveSplit> splits = nearest(std::move(found));
         report_.crossed.touches += splits.size();
+        countBends(splits);
         splitCurves(network_, splits, 4.0 * tolerance_, report_);
     }
 
@@ -135,6 +136,23 @@ private:
             i = j;
         }
         return splits;
+    }
+
+    /// A curve passes through each of its points from now on, however far that was from it.
+    void countBends(const std::vector<CurveSplit>& splits)
+    {
+        std::vector<std::uint32_t> points;
+        for (const CurveSplit& split : splits) {
+            const Vec2 position = network_.points[split.point.index()];
+            const double bend = distance(curves_[split.curve].point(split.t), position);
+            if (bend > meetingDistance(network_, weld_)) {
+                points.push_back(split.point.value);
+                report_.greatestBend = std::max(report_.greatestBend, bend);
+            }
+        }
+        std::sort(points.begin(), points.end());
+        const auto end = std::unique(points.begin(), points.end());
+        report_.weldedOnto = static_cast<std::size_t>(end - points.begin());
     }
 
     CurveNetwork& network_;

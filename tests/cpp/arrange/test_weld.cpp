@@ -180,6 +180,40 @@ TEST(Arrange, WithoutToleranceEqualPointsOfStraightCurvesStayTwo)
     EXPECT_EQ(report.welded, 0U);
 }
 
+TEST(Arrange, TellsWhatALargeToleranceDoes)
+{
+    CurveNetwork network; // a plate 100 x 60 and a line whose end is 20 from its lower edge
+    network.operands.resize(1);
+    std::vector<PointId> corners;
+    for (const Vec2 p : {Vec2 {0, 0}, Vec2 {100, 0}, Vec2 {100, 60}, Vec2 {0, 60}}) {
+        corners.push_back(network.addPoint(p));
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+        network.curves.push_back({nullptr, corners[i], corners[(i + 1) % 4], OperandId(0U)});
+    }
+    const PointId low = network.addPoint({50, 20});
+    const PointId high = network.addPoint({50, 28});
+    network.curves.push_back({nullptr, low, high, OperandId(0U), Role::Constraint});
+
+    ArrangeReport report;
+    Execution execution;
+    arrange(network, {.weld = 5.0}, report, execution);
+    EXPECT_EQ(report.welded, 0U);
+    EXPECT_TRUE(report.messages.empty());
+
+    arrange(network, {.weld = 22.0}, report, execution);
+    EXPECT_EQ(report.welded, 2U); // the ends to each other, and that point to the edge
+    EXPECT_EQ(report.weldedOnto, 1U);
+    EXPECT_EQ(report.swallowed, 1U);
+    EXPECT_DOUBLE_EQ(report.greatestBend, 20.0);
+    ASSERT_EQ(report.messages.size(), 2U);
+    EXPECT_EQ(report.messages[0], "1 end point was joined to another one within the weld tolerance "
+                                  "22. 1 curve no longer than that vanished; choose a smaller "
+                                  "tolerance.");
+    EXPECT_EQ(report.messages[1], "1 end point was joined to the inside of a curve within the weld "
+                                  "tolerance 22, which bends curves by up to 20.");
+}
+
 TEST(Arrange, KeepsEmbeddedPointsAndDropsThoseOfIgnoredCurves)
 {
     CurveNetwork network = almostClosed(0.0);
