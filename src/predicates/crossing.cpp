@@ -7,7 +7,7 @@
 //      the same double, that is the answer. It fails about once in 2^40 generic cases, and for true
 //      coordinates that are zero or halfway between two doubles.
 //   3. Expansion arithmetic: the sign of (a - m) D + u N compares the true coordinate with any m.
-// Products have degree 3 at most. Coordinates outside 2^-90 .. 2^300 are first scaled by a power of
+// Products have degree 3 at most, but in passesCrossing(). Coordinates outside 2^-90 .. 2^300 are first scaled by a power of
 // two; with a span of at most 1e60 nothing underflows then.
 
 #include "predicates/crossing.h"
@@ -79,6 +79,8 @@ public:
     /// Stage 3.
     int compareExactly(Axis axis, double value) const;
     double roundExactly(Axis axis, double& residual) const;
+    /// (f - e) x (crossing - e) = 0.
+    bool isOnLine(Vec2 e, Vec2 f) const;
 
 private:
     using Determinant = Expansion<16>;
@@ -185,6 +187,16 @@ int LinePair::compareExactly(Axis axis, double value) const
     return (numerator(axis, d) - d * value).sign() * d.sign();
 }
 
+bool LinePair::isOnLine(Vec2 e, Vec2 f) const
+{
+    const Determinant d = denominator();
+    const auto x = numerator(Axis::X, d) - d * e.x;
+    const auto y = numerator(Axis::Y, d) - d * e.y;
+    const Expansion<2> dx(twoDifference(f.x, e.x));
+    const Expansion<2> dy(twoDifference(f.y, e.y));
+    return (y * dx - x * dy).sign() == 0;
+}
+
 double LinePair::roundExactly(Axis axis, double& residual) const
 {
     const Determinant d = denominator();
@@ -261,6 +273,18 @@ Crossing crossLines(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
     }
     result.point = result.point + Vec2 {0.0, 0.0}; // -0 becomes 0
     return result;
+}
+
+bool passesCrossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Vec2 e, Vec2 f)
+{
+    // Of degree 4: near 1 no power of the coordinates leaves the exponents of doubles.
+    double greatest = 0.0;
+    for (const Vec2 p : {a, b, c, d, e, f}) {
+        greatest = std::max({greatest, std::fabs(p.x), std::fabs(p.y)});
+    }
+    const int power = -std::ilogb(greatest);
+    return LinePair(scaled(a, power), scaled(b, power), scaled(c, power), scaled(d, power))
+        .isOnLine(scaled(e, power), scaled(f, power));
 }
 
 int compareCrossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Axis axis, double value)

@@ -35,4 +35,7 @@ enum class Axis
 /// Sign of (coordinate of the true crossing - value), exact.
 int compareCrossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Axis axis, double value);
 
+/// Whether the line through e and f passes through the true crossing; exact.
+bool passesCrossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Vec2 e, Vec2 f);
+
 } // namespace tessera

@@ -163,7 +163,7 @@ bool BoundaryRecovery::putIn(std::uint32_t x, std::uint32_t y)
                                                   : edit_.constrain(x, y);
 }
 
-BoundaryRecovery::Step BoundaryRecovery::next(std::uint32_t s, std::uint32_t from) const
+BoundaryRecovery::Step BoundaryRecovery::next(std::uint32_t s, std::uint32_t from)
 {
     const std::uint32_t target = segments_[s].b;
     const Departure departure = depart(mesh_, from, target);
@@ -208,23 +208,60 @@ BoundaryRecovery::Step BoundaryRecovery::next(std::uint32_t s, std::uint32_t fro
 }
 
 /// The way leads exactly through the vertex.
-BoundaryRecovery::Step BoundaryRecovery::atVertex(std::uint32_t s, std::uint32_t vertex) const
+BoundaryRecovery::Step BoundaryRecovery::atVertex(std::uint32_t s, std::uint32_t vertex)
 {
     const bool passed = isInput(vertex) ? onLine(s, vertex) : meetsAll(s, vertex, {});
     return passed ? Step {Step::Kind::Vertex, vertex} : Step {};
 }
 
 /// Whether the segment and each other one at the vertex meet there, in the sense of meetHere(); the
-/// given pieces are known to.
+/// given pieces are known to. Where many segments run through one true point, a new one has to be
+/// compared with two of them only.
 bool BoundaryRecovery::meetsAll(std::uint32_t s, std::uint32_t vertex,
-                                std::span<const Chains::Use> known) const
+                                std::span<const Chains::Use> known)
 {
+    if (!isInput(vertex) && chains_.degree(vertex) > kFewSegments) {
+        const auto [at, isNew] = concurrent_.try_emplace(vertex);
+        if (isNew) {
+            at->second = findConcurrent(vertex);
+        }
+        const TwoSegments two = at->second;
+        if (two.first != kNone
+            && passesCrossing(start(two.first), end(two.first), start(two.second),
+                              end(two.second), start(s), end(s))) {
+            return true;
+        }
+        at->second = {}; // from now on not all do
+    }
     return !chains_.anyAt(vertex, [&](std::uint32_t other) {
         const bool isKnown = std::any_of(known.begin(), known.end(), [&](const Chains::Use& use) {
             return use.segment == other;
         });
         return !isKnown && other != s && !meetHere(s, other, vertex);
     });
+}
+
+/// Two segments at a crossing vertex in whose true crossing all others there cross them.
+BoundaryRecovery::TwoSegments BoundaryRecovery::findConcurrent(std::uint32_t vertex) const
+{
+    TwoSegments two;
+    const auto isOther = [&](std::uint32_t s) {
+        if (two.first == kNone) {
+            two.first = s;
+        }
+        else if (two.second == kNone) {
+            const int sideA = orient2d(start(two.first), end(two.first), start(s));
+            const int sideB = orient2d(start(two.first), end(two.first), end(s));
+            two.second = sideA != 0 || sideB != 0 ? s : kNone;
+        }
+        else {
+            return !passesCrossing(start(two.first), end(two.first), start(two.second),
+                                   end(two.second), start(s), end(s));
+        }
+        return false;
+    };
+    const bool any = chains_.anyAt(vertex, isOther);
+    return any || two.second == kNone ? TwoSegments {} : two;
 }
 
 bool BoundaryRecovery::onLine(std::uint32_t s, std::uint32_t vertex) const

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -50,10 +51,18 @@ private:
         std::uint32_t vertex = kNone;
         HalfEdge edge = Topology::kDead;
     };
+    struct TwoSegments
+    {
+        std::uint32_t first = kNone;
+        std::uint32_t second = kNone;
+    };
+    /// More than these at one vertex are not compared in pairs if they are concurrent.
+    static constexpr std::uint32_t kFewSegments = 8;
+
     bool recover(std::uint32_t s);
     bool putIn(std::uint32_t x, std::uint32_t y);
-    Step next(std::uint32_t s, std::uint32_t from) const;
-    Step atVertex(std::uint32_t s, std::uint32_t vertex) const;
+    Step next(std::uint32_t s, std::uint32_t from);
+    Step atVertex(std::uint32_t s, std::uint32_t vertex);
     std::uint32_t cross(std::uint32_t s, std::uint32_t from, HalfEdge edge);
     bool findCrossing(std::uint32_t s, HalfEdge edge, Crossing& crossing);
     std::uint32_t crossBeside(std::uint32_t u, std::uint32_t v, HalfEdge edge,
@@ -66,7 +75,8 @@ private:
     bool meetHere(std::uint32_t s, std::uint32_t other, std::uint32_t vertex) const;
     bool trianglesAreTrue() const;
 
-    bool meetsAll(std::uint32_t s, std::uint32_t vertex, std::span<const Chains::Use> known) const;
+    bool meetsAll(std::uint32_t s, std::uint32_t vertex, std::span<const Chains::Use> known);
+    TwoSegments findConcurrent(std::uint32_t vertex) const;
     bool onLine(std::uint32_t s, std::uint32_t vertex) const;
     bool isAhead(std::uint32_t s, std::uint32_t from, std::uint32_t vertex) const;
     bool isFlat(std::uint32_t x, std::uint32_t y, std::uint32_t z) const;
@@ -85,6 +95,7 @@ private:
     RecoveryReport report_;
     SteinerPoints steinerPoints_;
     std::vector<Chains::Use> uses_; ///< the pieces that a new vertex goes into
+    std::unordered_map<std::uint32_t, TwoSegments> concurrent_; ///< by vertex: findConcurrent()
     std::vector<std::uint32_t> doubtful_; ///< vertices whose segments are still to be compared
 };
 

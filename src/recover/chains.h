@@ -62,6 +62,11 @@ public:
     /// Adds the vertex after the given node, which is not its segment's last.
     void insertAfter(std::uint32_t n, std::uint32_t vertex);
 
+    /// How many nodes are at the vertex.
+    std::uint32_t degree(std::uint32_t vertex) const
+    {
+        return vertex < cells_.size() ? cells_[vertex].count : 0;
+    }
     /// Calls f(node, segment, previous node, next node) for every node at the vertex; f must not
     /// add nodes.
     template<class F>
@@ -84,7 +89,7 @@ public:
     template<class F>
     void forEachUse(std::uint32_t u, std::uint32_t v, F&& f) const
     {
-        const bool fromU = count(u) <= kNear || count(u) <= count(v);
+        const bool fromU = degree(u) <= kNear || degree(u) <= degree(v);
         const std::uint32_t there = fromU ? v : u;
         forEachAt(fromU ? u : v, [&](std::uint32_t n, std::uint32_t segment,
                                      std::uint32_t previous, std::uint32_t next) {
@@ -156,10 +161,6 @@ private:
         return isFar(n) ? far(n).links : cells_[n >> 1].near[n & 1U];
     }
     Links& links(std::uint32_t n) { return const_cast<Links&>(std::as_const(*this).links(n)); }
-    std::uint32_t count(std::uint32_t vertex) const
-    {
-        return vertex < cells_.size() ? cells_[vertex].count : 0;
-    }
     std::uint32_t addNode(std::uint32_t vertex, const Links& links);
 
     std::vector<std::uint32_t> first_;

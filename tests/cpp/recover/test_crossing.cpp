@@ -180,5 +180,34 @@ TEST_F(CrossingTest, isRoundedCorrectlyAtAllScales)
     }
 }
 
+/// A third line through or beside the crossing, at all scales.
+TEST_F(CrossingTest, tellsWhetherAThirdLinePasses)
+{
+    int passing = 0;
+    int beside = 0;
+    for (int i = 0; i < 6000; ++i) {
+        const double scale = std::ldexp(i % 3 == 0 ? 1.0 / 3.0 : 1.0, integer(-480, 480));
+        const auto p = [&] {
+            return Vec2 {1.0 * integer(-2, 2), 1.0 * integer(-2, 2)};
+        };
+        const Lines l {scale * p(), scale * p(), scale * p(), scale * p()};
+        const Vec2 e = scale * p();
+        Vec2 f = scale * p();
+        if (i % 4 == 0 && f.x != 0.0) {
+            f.x = std::nextafter(f.x, 1e300);
+        }
+        TrueCrossing truth;
+        if (e == f || !crossExactly(l, truth)) {
+            continue;
+        }
+        const Rational side = (Rational(f.x) - Rational(e.x)) * (truth.y - Rational(e.y))
+            - (Rational(f.y) - Rational(e.y)) * (truth.x - Rational(e.x));
+        EXPECT_EQ(passesCrossing(l.a, l.b, l.c, l.d, e, f), side == 0);
+        (side == 0 ? passing : beside) += 1;
+    }
+    EXPECT_GT(passing, 300);
+    EXPECT_GT(beside, 500);
+}
+
 } // namespace
 } // namespace tessera

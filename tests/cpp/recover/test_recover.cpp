@@ -48,6 +48,25 @@ TEST_P(BothStrategies, concurrentCrossingsGiveOneVertex)
     EXPECT_EQ(r.result.triangulation.points.back(), (Vec2 {0.5, 0}));
 }
 
+/// Through (1/3, 1/3), which is no double, and through the origin: quick for any number of them.
+TEST_P(BothStrategies, thousandsOfConcurrentCrossingsGiveOneVertex)
+{
+    RawPslg thirds;
+    for (int i = -1000; i <= 1000; ++i) {
+        const Vec2 a {1.0 * i, 1500.0 - std::abs(i)};
+        thirds.addSegment(a, {1.0 - 2.0 * a.x, 1.0 - 2.0 * a.y});
+    }
+    EXPECT_EQ(recover(thirds).result.report.crossings, 1U);
+    RawPslg diameters;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec2 p {std::cos(0.0007 * i), std::sin(0.0007 * i)};
+        diameters.addSegment(p, {-p.x, -p.y});
+    }
+    const Recovered r = recover(diameters);
+    EXPECT_EQ(r.result.report.crossings, 1U);
+    EXPECT_EQ(r.result.triangulation.points.back(), (Vec2 {0, 0}));
+}
+
 TEST_P(BothStrategies, touchIsNoCrossing)
 {
     RawPslg raw;
