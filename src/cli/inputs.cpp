@@ -157,25 +157,27 @@ private:
         if (several_) {
             options.name = stemOf(path);
         }
-        for (const std::int32_t edge : roles_.boundary) {
-            addEdgeRole(options, edge, Role::Boundary);
-        }
-        for (const std::int32_t edge : roles_.constraint) {
-            addEdgeRole(options, edge, Role::Constraint);
-        }
-        for (const std::int32_t edge : roles_.ignored) {
-            addEdgeRole(options, edge, Role::Ignored);
+        if (!several_) { // of several files not each must have an edge of that number
+            addEdgeRoles(options, roles_.boundary, Role::Boundary);
+            addEdgeRoles(options, roles_.constraint, Role::Constraint);
+            addEdgeRoles(options, roles_.ignored, Role::Ignored);
         }
         CadInput input = readCad(path, options);
+        for (NetworkCurve& curve : input.network.curves) {
+            roles_.apply(curve, curve.source);
+        }
         plane_ = input.frame;
         inputs_.defaultWeld = std::max(inputs_.defaultWeld, input.defaultWeld);
         return std::move(input.network);
     }
 
-    static void addEdgeRole(CadOptions& options, std::int32_t edge, Role role)
+    static void addEdgeRoles(CadOptions& options, const std::vector<std::int32_t>& edges,
+                             Role role)
     {
-        if (edge > 0) {
-            options.edgeRoles.emplace_back(static_cast<std::uint32_t>(edge), role);
+        for (const std::int32_t edge : edges) {
+            if (edge > 0) {
+                options.edgeRoles.emplace_back(static_cast<std::uint32_t>(edge), role);
+            }
         }
     }
 

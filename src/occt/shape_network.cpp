@@ -467,7 +467,8 @@ void ShapeReader::applyEdgeRoles()
         if (edge == 0 || edge >= data_.size()) {
             throw CadError(ErrorKind::InvalidOption,
                            "There is no Edge" + std::to_string(edge) + "; the shape has "
-                               + std::to_string(data_.size() - 1) + " edges.");
+                               + std::to_string(data_.size() - 1)
+                               + (data_.size() == 2 ? " edge." : " edges."));
         }
         roles[edge] = role;
     }

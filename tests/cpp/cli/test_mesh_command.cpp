@@ -166,6 +166,22 @@ TEST_F(MeshCommand, RolesByMarkerAndLine)
     refuse({"mesh", "a.poly", "-o", "x.vtu", "--constraint", "2,7"}, "number 7");
 }
 
+TEST_F(MeshCommand, EdgeNumbersOfSeveralShapes)
+{
+    program.give("a.wkt", "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (4 4, 6 4, 6 6, 4 6, 4 4))\n");
+    program.give("b.wkt", "POLYGON ((20 0, 25 0, 25 5, 20 5, 20 0))\n");
+    for (const char* name : {"a", "b"}) {
+        const std::string stem = name;
+        ASSERT_EQ(program.run({"overlay", stem + ".wkt", "-o", stem + ".brep"}).status, 0);
+    }
+    EXPECT_NEAR(mesh({"a.brep", "b.brep"})["area"].get<double>(), 121.0, 1e-9);
+    // Only the first shape has that many edges: its hole.
+    EXPECT_NEAR(mesh({"a.brep", "b.brep", "--constraint", "5,6,7,8"})["area"].get<double>(), 125.0,
+                1e-9);
+    refuse({"mesh", "a.brep", "b.brep", "-o", "x.vtu", "--constraint", "9"}, "number 9");
+    refuse({"mesh", "b.brep", "-o", "x.vtu", "--constraint", "5"}, "has 4 edges");
+}
+
 TEST_F(MeshCommand, AGapIsNamedAndClosedByTheWeldTolerance)
 {
     program.give("gap.poly", "5 2 0 0\n1 0 0\n2 10 0\n3 10 10\n4 0 10\n5 0 0.1\n"
