@@ -447,12 +447,12 @@ private:
     {
         execution_.beginStage("extract", 0.95, 1.0);
         ExtractResult extracted =
-            extractMesh(working_, recovered_.constraints, regions_, pslg_, execution_.threads());
+            extractMesh(working_, recovered_.constraints, regions_, pslg_, execution_);
         MeshReport& report = result_.report;
         Mesh& mesh = result_.mesh;
         mesh = std::move(extracted.mesh);
         execution_.checkpoint();
-        report.quality = measureQuality(mesh, &size, execution_.threads());
+        report.quality = measureQuality(mesh, &size, execution_);
         execution_.checkpoint();
         if (options_.order == 2) {
             for (const std::uint32_t e : makeSecondOrder(mesh, extracted.edgeMiddle)) {

@@ -40,18 +40,18 @@ class Extraction
 {
 public:
     Extraction(const WorkingMesh& working, const ConstraintMap& constraints,
-               const RegionMap& regions, const Pslg& pslg, int threads)
+               const RegionMap& regions, const Pslg& pslg, const Execution& execution)
         : working_(working)
         , constraints_(constraints)
         , regions_(regions)
         , pslg_(pslg)
-        , threads_(threads)
+        , execution_(execution)
     {}
 
     ExtractResult run()
     {
         numberRegions();
-        MeshOrder order = orderMesh(working_, threads_);
+        MeshOrder order = orderMesh(working_, execution_);
         result_.nodeOfVertex = std::move(order.nodeOfVertex);
         takeNodes(order.nodes);
         takeTriangles(order.triangles);
@@ -82,10 +82,10 @@ private:
     void takeNodes(std::uint32_t count)
     {
         Mesh& mesh = result_.mesh;
-        reserveTouched(threads_, mesh.nodes, count);
+        reserveTouched(execution_.threads(), mesh.nodes, count);
         mesh.nodes.resize(count);
         mesh.nodeOrigin.resize(count);
-        forEachPiece(threads_, result_.nodeOfVertex.size(), kPiece,
+        forEachPiece(execution_.threads(), result_.nodeOfVertex.size(), kPiece,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
                          for (std::size_t v = begin; v < end; ++v) {
                              const std::uint32_t node = result_.nodeOfVertex[v];
@@ -100,15 +100,16 @@ private:
     void takeTriangles(const std::vector<std::uint32_t>& slots)
     {
         Mesh& mesh = result_.mesh;
-        reserveTouched(threads_, mesh.triangles, slots.size());
-        reserveTouched(threads_, mesh.triangleRegion, slots.size());
+        reserveTouched(execution_.threads(), mesh.triangles, slots.size());
+        reserveTouched(execution_.threads(), mesh.triangleRegion, slots.size());
         mesh.triangles.resize(slots.size());
         mesh.triangleRegion.resize(slots.size());
         // Few pieces, because each sums the areas of all regions.
         const std::size_t piece = std::max(kPiece, slots.size() / 64 + 1);
         std::vector<std::vector<double>> areas((slots.size() + piece - 1) / piece);
-        forEachPiece(threads_, slots.size(), piece,
+        forEachPiece(execution_.threads(), slots.size(), piece,
                      [&](std::size_t index, std::size_t begin, std::size_t end) {
+                         execution_.checkpoint();
                          areas[index].assign(mesh.regions.size(), 0.0);
                          for (std::size_t i = begin; i < end; ++i) {
                              takeTriangle(i, slots[i], areas[index]);
@@ -182,7 +183,7 @@ private:
     const ConstraintMap& constraints_;
     const RegionMap& regions_;
     const Pslg& pslg_;
-    int threads_;
+    const Execution& execution_;
     std::vector<std::uint32_t> meshRegion_;
     ExtractResult result_;
 };
@@ -262,9 +263,9 @@ void addEdgeGroups(Mesh& mesh, const CurveNetwork& network)
 } // namespace
 
 ExtractResult extractMesh(const WorkingMesh& working, const ConstraintMap& constraints,
-                          const RegionMap& regions, const Pslg& pslg, int threads)
+                          const RegionMap& regions, const Pslg& pslg, const Execution& execution)
 {
-    return Extraction(working, constraints, regions, pslg, threads).run();
+    return Extraction(working, constraints, regions, pslg, execution).run();
 }
 
 void addGroups(Mesh& mesh, const CurveNetwork& network,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/execution.h"
 #include "curve/curve_network.h"
 #include "mesh/mesh.h"
 #include "refine/refine.h"
@@ -24,7 +25,8 @@ struct ExtractResult
 };
 
 ExtractResult extractMesh(const WorkingMesh& working, const ConstraintMap& constraints,
-                          const RegionMap& regions, const Pslg& pslg, int threads = 1);
+                          const RegionMap& regions, const Pslg& pslg,
+                          const Execution& execution = Execution());
 
 /// Names regions, curves and embedded points: one triangle group per kept region, further groups
 /// for operands that cover several regions or share one, an edge group per curve name and per

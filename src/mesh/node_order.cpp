@@ -20,10 +20,10 @@ constexpr double kOrdered = 0.9; ///< share of triangles whose vertices have nea
 class Ordering
 {
 public:
-    Ordering(const WorkingMesh& mesh, int threads)
+    Ordering(const WorkingMesh& mesh, const Execution& execution)
         : mesh_(mesh)
         , t_(mesh.triangulation)
-        , threads_(threads)
+        , execution_(execution)
     {
         order_.nodeOfVertex.assign(t_.points.size(), MeshOrder::kNoNode);
     }
@@ -51,7 +51,7 @@ private:
     {
         const std::size_t slots = t_.triangles.size();
         std::vector<std::size_t> start((slots + kPiece - 1) / kPiece + 1, 0);
-        forEachPiece(threads_, slots, kPiece,
+        forEachPiece(execution_.threads(), slots, kPiece,
                      [&](std::size_t piece, std::size_t begin, std::size_t end) {
                          for (std::size_t i = begin; i < end; ++i) {
                              start[piece + 1] += isKept(static_cast<std::uint32_t>(i)) ? 1 : 0;
@@ -60,9 +60,9 @@ private:
         for (std::size_t piece = 1; piece < start.size(); ++piece) {
             start[piece] += start[piece - 1];
         }
-        reserveTouched(threads_, order_.triangles, start.back());
+        reserveTouched(execution_.threads(), order_.triangles, start.back());
         order_.triangles.resize(start.back());
-        forEachPiece(threads_, slots, kPiece,
+        forEachPiece(execution_.threads(), slots, kPiece,
                      [&](std::size_t piece, std::size_t begin, std::size_t end) {
                          std::size_t at = start[piece];
                          for (std::size_t i = begin; i < end; ++i) {
@@ -90,8 +90,9 @@ private:
     void numberByVertex()
     {
         std::vector<std::uint32_t>& node = order_.nodeOfVertex;
-        forEachPiece(threads_, order_.triangles.size(), kPiece,
+        forEachPiece(execution_.threads(), order_.triangles.size(), kPiece,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
+                         execution_.checkpoint();
                          for (std::size_t i = begin; i < end; ++i) {
                              for (const std::uint32_t v : t_.triangles[order_.triangles[i]].v) {
                                  // Several pieces may say so of one vertex.
@@ -119,6 +120,9 @@ private:
             seen[first] = 1;
             walked.push_back(first);
             for (std::size_t i = walked.size() - 1; i < walked.size(); ++i) {
+                if (i % kPiece == 0) {
+                    execution_.checkpoint();
+                }
                 for (std::uint32_t side = 0; side < 3; ++side) {
                     const std::uint32_t next =
                         Topology::triangleOf(t_.twin(Topology::halfEdge(walked[i], side)));
@@ -146,15 +150,15 @@ private:
 
     const WorkingMesh& mesh_;
     const Triangulation& t_;
-    int threads_;
+    const Execution& execution_;
     MeshOrder order_;
 };
 
 } // namespace
 
-MeshOrder orderMesh(const WorkingMesh& mesh, int threads)
+MeshOrder orderMesh(const WorkingMesh& mesh, const Execution& execution)
 {
-    return Ordering(mesh, threads).run();
+    return Ordering(mesh, execution).run();
 }
 
 } // namespace tessera

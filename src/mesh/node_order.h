@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/execution.h"
 #include "refine/refine.h"
 
 #include <cstdint>
@@ -23,6 +24,6 @@ struct MeshOrder
 /// Lattices are in order as they are; other meshes are ordered breadth first from triangle to
 /// neighbor (E. Cuthill, J. McKee, "Reducing the bandwidth of sparse symmetric matrices", 1969).
 /// Deterministic, the same for any number of threads. O(n).
-MeshOrder orderMesh(const WorkingMesh& mesh, int threads);
+MeshOrder orderMesh(const WorkingMesh& mesh, const Execution& execution);
 
 } // namespace tessera

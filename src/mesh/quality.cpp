@@ -176,12 +176,14 @@ EdgeRatios ratiosOfOutline(const Mesh& mesh, const SizeField& size)
     return ratios;
 }
 
-QualityReport::Conformity measureConformity(const Mesh& mesh, const SizeField& size, int threads)
+QualityReport::Conformity measureConformity(const Mesh& mesh, const SizeField& size,
+                                            const Execution& execution)
 {
     const std::size_t pieces = (mesh.triangles.size() + kPiece - 1) / kPiece;
     std::vector<EdgeRatios> ratios(pieces + 1);
-    forEachPiece(threads, mesh.triangles.size(), kPiece,
+    forEachPiece(execution.threads(), mesh.triangles.size(), kPiece,
                  [&](std::size_t piece, std::size_t begin, std::size_t end) {
+                     execution.checkpoint();
                      ratios[piece] = ratiosOfTriangles(mesh, size, begin, end);
                  });
     ratios.back() = ratiosOfOutline(mesh, size);
@@ -193,7 +195,7 @@ QualityReport::Conformity measureConformity(const Mesh& mesh, const SizeField& s
         result.max = std::max(result.max, piece.max);
     }
     constexpr double kFractions[] = {0.05, 0.5, 0.95};
-    const std::vector<float> at = percentiles(values, kFractions, threads);
+    const std::vector<float> at = percentiles(values, kFractions, execution.threads());
     result.p05 = at[0];
     result.median = at[1];
     result.p95 = at[2];
@@ -216,7 +218,7 @@ AngleRange triangleAngles(Vec2 a, Vec2 b, Vec2 c)
     return {*std::min_element(at, at + 3), *std::max_element(at, at + 3)};
 }
 
-QualityReport measureQuality(const Mesh& mesh, const SizeField* size, int threads)
+QualityReport measureQuality(const Mesh& mesh, const SizeField* size, const Execution& execution)
 {
     QualityReport report;
     if (mesh.triangles.empty()) {
@@ -226,7 +228,9 @@ QualityReport measureQuality(const Mesh& mesh, const SizeField* size, int thread
     const std::size_t count = mesh.triangles.size();
     std::vector<Partial> partials((count + kPiece - 1) / kPiece);
     ValuePieces tangents(partials.size());
+    const int threads = execution.threads();
     forEachPiece(threads, count, kPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+        execution.checkpoint();
         tangents[piece].reserve(end - begin);
         for (std::size_t t = begin; t < end; ++t) {
             const auto& v = mesh.triangles[t];
@@ -253,7 +257,7 @@ QualityReport measureQuality(const Mesh& mesh, const SizeField* size, int thread
     }
     report.minAngle = report.worst.front().angle;
     if (size != nullptr) {
-        report.sizeConformity = measureConformity(mesh, *size, threads);
+        report.sizeConformity = measureConformity(mesh, *size, execution);
     }
     return report;
 }

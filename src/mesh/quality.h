@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/execution.h"
 #include "mesh/mesh.h"
 #include "sizing/size_field.h"
 
@@ -56,6 +57,7 @@ struct AngleRange
 AngleRange triangleAngles(Vec2 a, Vec2 b, Vec2 c);
 
 /// All zeros for an empty mesh. O(n). Without a size field the conformity stays 0.
-QualityReport measureQuality(const Mesh& mesh, const SizeField* size, int threads = 1);
+QualityReport measureQuality(const Mesh& mesh, const SizeField* size,
+                             const Execution& execution = Execution());
 
 } // namespace tessera

@@ -42,6 +42,7 @@ namespace
 constexpr double kSmallestDistance = 1.0 / 64.0; ///< of the spacing, between a point and a vertex
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
 constexpr std::size_t kCheckpointEvery = 256;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 double squaredDistance(Vec2 a, Vec2 b)
 {
@@ -167,7 +168,7 @@ private:
     /// its nearest neighbor.
     void measureSpacing()
     {
-        spacing_.assign(t_.points.size(), std::numeric_limits<double>::infinity());
+        spacing_.assign(t_.points.size(), kInfinite);
         for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
             if (!editor_.isKept(i)) {
                 continue;
@@ -183,9 +184,24 @@ private:
                 }
             }
         }
-        for (double& spacing : spacing_) {
-            spacing = std::sqrt(spacing);
+        for (std::uint32_t v = 1; v < spacing_.size(); ++v) {
+            if (spacing_[v] == kInfinite && t_.incident[v] != Topology::kDead) {
+                spacing_[v] = squaredDistanceOfNearest(v); // an input point on no edge
+            }
+            spacing_[v] = std::sqrt(spacing_[v]);
         }
+    }
+
+    double squaredDistanceOfNearest(std::uint32_t v) const
+    {
+        double nearest = kInfinite;
+        t_.forEachAround(v, [&](HalfEdge h) {
+            if (t_.destination(h) != Topology::kInfinite) {
+                nearest = std::min(nearest,
+                                   squaredDistance(t_.points[v], t_.points[t_.destination(h)]));
+            }
+        });
+        return nearest;
     }
 
     double leastSpacing(const Shape& s) const

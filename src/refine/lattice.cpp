@@ -50,6 +50,7 @@ public:
     LatticePatch build()
     {
         writePoints();
+        execution_.checkpoint();
         writeTriangles();
         if (patch_.firstTriangle == patch_.endTriangle) {
             dropPoints();
@@ -172,6 +173,7 @@ private:
         below_.assign(t_.points.size() - firstVertex_, kUnlinked);
         const std::vector<Block> blocks = divideIntoBlocks();
         forEachPiece(threads, blocks.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
+            execution_.checkpoint();
             for (std::size_t k = blocks[b].begin; k < blocks[b].end; ++k) {
                 const bool isFirstRow
                     = b > 0 && pairs_[k].lower->row == pairs_[blocks[b].begin].lower->row;

@@ -132,9 +132,11 @@ TEST(Quality, TheSameForAnyNumberOfThreads)
 {
     const Mesh mesh = scattered(100000);
     const Uniform size(0.5);
-    const QualityReport one = measureQuality(mesh, &size, 1);
+    const QualityReport one = measureQuality(mesh, &size);
     for (const int threads : {2, 3, 8}) {
-        const QualityReport many = measureQuality(mesh, &size, threads);
+        Execution execution;
+        execution.setThreads(threads);
+        const QualityReport many = measureQuality(mesh, &size, execution);
         EXPECT_EQ(one.meanQuality, many.meanQuality);
         EXPECT_EQ(one.angleP01, many.angleP01);
         EXPECT_EQ(one.angleHistogram, many.angleHistogram);

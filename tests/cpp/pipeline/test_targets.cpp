@@ -161,6 +161,21 @@ TEST(Threads, TheMeshIsTheSameForAnyNumber)
     }
 }
 
+/// Refinement took their distances for unbounded and put nothing between them.
+TEST(EmbeddedPoints, NeedlesBetweenThemAreMended)
+{
+    CurveNetwork network = washer();
+    for (const Vec2 p : {Vec2 {1.3, 3.8}, Vec2 {1.3, 3.5}, Vec2 {1.7, 4.2}, Vec2 {2.1, 3.0}}) {
+        network.embedded.push_back({network.addPoint(p), OperandId(0U), ""});
+    }
+    MeshOptions options;
+    options.size = 3.0;
+    Execution execution;
+    const MeshResult made = meshNetwork(network, options, execution);
+    EXPECT_TRUE(made.report.unreached.empty());
+    EXPECT_GE(made.report.quality.minAngle, 30.0);
+}
+
 /// A part of what the benchmark "domains" meshes.
 TEST(RandomDomains, AreValidAndGood)
 {
