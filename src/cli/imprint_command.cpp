@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/file_names.h"
 #include "cli/inputs.h"
+#include "cli/overlay_output.h"
 #include "cli/run_control.h"
 #include "cli/run_options.h"
 #include "imprint/imprint.h"
@@ -88,20 +89,7 @@ void addOptions(CLI::App& command, ImprintArguments& a)
     addFillOption(command, a,
                   "What is inside a source or target: even-odd (default), nonzero, positive, "
                   "negative or all (every bounded face)");
-    command
-        .add_option("--recovery", a.recovery,
-                    "How boundaries are recovered: cavity (default) or steiner")
-        ->transform(namesOnly(kStrategies))
-        ->type_name("STRATEGY");
-    command.add_option("--time-limit", a.timeLimit, "Seconds after which to give up");
-    command.add_option("--report", a.report, "File for the report, JSON");
-    command.add_flag("--quiet", a.quiet, "Print nothing but errors");
-}
-
-bool isFaceExtension(const std::string& extension)
-{
-    return extension == ".brep" || extension == ".brp" || extension == ".step"
-        || extension == ".stp";
+    addControlOptions(command, a);
 }
 
 void writeResult(const ImprintResult& result, const ImprintInput& input, const ImprintArguments& a)
@@ -180,13 +168,7 @@ Command addImprintCommand(CLI::App& program)
         "imprint", "The common refinement of the source and target faces of a sweep.");
     const auto arguments = std::make_shared<ImprintArguments>();
     addOptions(*command, *arguments);
-    command->callback([arguments] {
-        const std::string extension = extensionOf(arguments->output);
-        if (extension != ".wkt" && !isFaceExtension(extension) && !isMeshExtension(extension)) {
-            throw CLI::ValidationError("-o", fmt::format("'{}' should end in .wkt, .brep, .step, {}",
-                                                         arguments->output, meshExtensions()));
-        }
-    });
+    requireOverlayOutput(*command, arguments);
     return [arguments] { return runImprint(*arguments); };
 }
 

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/file_names.h"
 #include "cli/inputs.h"
+#include "cli/overlay_output.h"
 #include "cli/run_control.h"
 #include "cli/run_options.h"
 #include "imprint/overlay.h"
@@ -67,12 +68,6 @@ void addOptions(CLI::App& command, OverlayArguments& a)
                   "What is inside an operand: even-odd (default), nonzero, positive, negative or "
                   "all (every bounded face)");
     addRunOptions(command, a);
-}
-
-bool isFaceExtension(const std::string& extension)
-{
-    return extension == ".brep" || extension == ".brp" || extension == ".step"
-        || extension == ".stp";
 }
 
 void writeResult(const OverlayResult& result, const PlaneFrame& frame, const OverlayArguments& a)
@@ -153,13 +148,7 @@ Command addOverlayCommand(CLI::App& program)
         "overlay", "Boolean operations on any number of shapes, however they cross and overlap.");
     const auto arguments = std::make_shared<OverlayArguments>();
     addOptions(*command, *arguments);
-    command->callback([arguments] {
-        const std::string extension = extensionOf(arguments->output);
-        if (extension != ".wkt" && !isFaceExtension(extension) && !isMeshExtension(extension)) {
-            throw CLI::ValidationError("-o", fmt::format("'{}' should end in .wkt, .brep, .step, {}",
-                                                         arguments->output, meshExtensions()));
-        }
-    });
+    requireOverlayOutput(*command, arguments);
     return [arguments] { return runOverlay(*arguments); };
 }
 

@@ -26,20 +26,25 @@ void addFillOption(CLI::App& command, RunOptions& options, const std::string& ru
         ->type_name("RULE");
 }
 
-void addRunOptions(CLI::App& command, RunOptions& options)
+void addControlOptions(CLI::App& command, RunOptions& options)
 {
-    command.add_option("--weld", options.weld,
-                       "End points nearer than this are one; default: 0, for CAD its tolerance");
     command
         .add_option("--recovery", options.recovery,
                     "How boundaries are recovered: cavity (default) or steiner")
         ->transform(namesOnly(kStrategies))
         ->type_name("STRATEGY");
     command.add_option("--time-limit", options.timeLimit, "Seconds after which to give up");
-    command.add_option("--stages", options.stages, "Folder for a picture of each stage")
-        ->type_name("DIR");
     command.add_option("--report", options.report, "File for the report, JSON");
     command.add_flag("--quiet", options.quiet, "Print nothing but errors");
+}
+
+void addRunOptions(CLI::App& command, RunOptions& options)
+{
+    command.add_option("--weld", options.weld,
+                       "End points nearer than this are one; default: 0, for CAD its tolerance");
+    command.add_option("--stages", options.stages, "Folder for a picture of each stage")
+        ->type_name("DIR");
+    addControlOptions(command, options);
 }
 
 double positive(const std::optional<double>& value, const char* option, double otherwise)

@@ -34,7 +34,10 @@ void addFileOptions(CLI::App& command, RunOptions& options, const std::string& o
 /// --fill; rules: what it says about the choices.
 void addFillOption(CLI::App& command, RunOptions& options, const std::string& rules);
 
-/// --weld, --recovery, --time-limit, --stages, --report, --quiet.
+/// --recovery, --time-limit, --report, --quiet.
+void addControlOptions(CLI::App& command, RunOptions& options);
+
+/// The same, --weld and --stages.
 void addRunOptions(CLI::App& command, RunOptions& options);
 
 /// The value of an option that is a number above 0, else throws Error(InvalidOption); otherwise if it

@@ -5,6 +5,7 @@ import FreeCAD
 
 import tessera
 from tessera.tools.plain_errors import RecomputeError, raising
+from tessera.tools.stateless import Stateless
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -58,7 +59,7 @@ RESULTS = (
 )
 
 
-class FaceFeature:
+class FaceFeature(Stateless):
     """Base of the proxies. A subclass has Type, PROPERTIES, view_provider() and compute(obj), which
     sets the object's shape and results and may raise tessera.Error."""
 
@@ -67,17 +68,6 @@ class FaceFeature:
     def __init__(self, obj):
         obj.Proxy = self
         self.add_properties(obj)
-
-    # FreeCAD makes restored proxies without calling __init__, so nothing may rely on it.
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps  # FreeCAD before 1.0
-    __setstate__ = loads
 
     @property
     def execute(self):

@@ -20,6 +20,7 @@ from tessera.tools.mesh_history import MeshHistory
 from tessera.tools.plain_errors import RecomputeError, raising
 from tessera.tools.progress import RecomputeProgress
 from tessera.tools.request import FILLS, MeshRequest, default_size
+from tessera.tools.stateless import Stateless
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -210,7 +211,7 @@ PROPERTIES = (
 )
 
 
-class PlanarMesh:
+class PlanarMesh(Stateless):
     """Proxy of the document object."""
 
     Type = "Tessera::PlanarMesh"
@@ -220,21 +221,10 @@ class PlanarMesh:
         obj.Proxy = self
         add_properties(obj)
 
-    # FreeCAD makes restored proxies without calling __init__, so nothing may rely on it.
-
     @property
     def history(self):
         """The meshes that undo and redo may need."""
         return self.__dict__.setdefault("_history", MeshHistory())
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps  # FreeCAD before 1.0
-    __setstate__ = loads
 
     def offer(self, request, mesh):
         """A finished mesh that the next recompute takes if the properties still ask for it."""

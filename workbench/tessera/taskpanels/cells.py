@@ -13,6 +13,7 @@ from PySide import QtCore, QtGui
 
 import tessera
 from tessera.objects.face_feature import apply_values
+from tessera.taskpanels.task_panel import TaskPanel
 from tessera.tools import cells, resources
 from tessera.tools.cell_preview import CellPreview
 from tessera.tools.selection import select_places, selected_sources
@@ -84,7 +85,7 @@ class SourceList:
         self._changed()
 
 
-class CellsPanel:
+class CellsPanel(TaskPanel):
     """Task panel in FreeCAD's sense: form, accept, reject, getStandardButtons. A subclass has
     fields(layout), values(), preview_cells() and make(values)."""
 
@@ -290,18 +291,6 @@ class CellsPanel:
             select_places(owners[number], [p for p in places if p.source == number])
 
     # What FreeCAD calls
-
-    def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
-
-    def isAllowedAlterSelection(self):
-        return True
-
-    def isAllowedAlterView(self):
-        return True
-
-    def isAllowedAlterDocument(self):
-        return True
 
     def accept(self):
         """OK: FreeCAD closes the panel if the answer is True."""

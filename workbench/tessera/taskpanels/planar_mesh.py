@@ -14,6 +14,7 @@ from PySide import QtCore, QtGui
 import tessera
 from tessera.objects import planar_mesh
 from tessera.taskpanels.sizes import SizesForm
+from tessera.taskpanels.task_panel import TaskPanel
 from tessera.tools import resources
 from tessera.tools.mesh_job import MeshJob
 from tessera.tools.number_field import NumberField
@@ -46,7 +47,7 @@ class Target:
         return self.document.getObject(self.name) if self.name else None
 
 
-class PlanarMeshPanel:
+class PlanarMeshPanel(TaskPanel):
     """Task panel in FreeCAD's sense: form, accept, reject, getStandardButtons."""
 
     def __init__(self, targets):
@@ -326,18 +327,6 @@ class PlanarMeshPanel:
         return self._document_name in FreeCAD.listDocuments()
 
     # What FreeCAD calls
-
-    def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
-
-    def isAllowedAlterSelection(self):
-        return True
-
-    def isAllowedAlterView(self):
-        return True
-
-    def isAllowedAlterDocument(self):
-        return True
 
     def accept(self):
         """OK: what the form asks for is meshed first, unless it is already. FreeCAD closes the

@@ -2,34 +2,17 @@
 """How Booleans and imprints look in the tree and in the 3D view, and how they are edited."""
 
 import FreeCAD
-import FreeCADGui
 
-from tessera.tools import cells, resources
+from tessera.tools import cells
+from tessera.viewproviders.panel_opener import PanelOpener
 
 
-class ViewProviderCells:
+class ViewProviderCells(PanelOpener):
     """Base of the proxies of the view objects: each cell has a color of its own."""
 
-    ICON = ""
-
     def __init__(self, view_object):
-        view_object.Proxy = self
+        super().__init__(view_object)
         self.paint(view_object)
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps  # FreeCAD before 1.0
-    __setstate__ = loads
-
-    def attach(self, view_object):
-        """Called by FreeCAD when the object gets its place in the 3D view, also after loading."""
-
-    def getIcon(self):
-        return resources.icon(self.ICON)
 
     def updateData(self, obj, name):
         """Called by FreeCAD after each change of a property of the object."""
@@ -49,30 +32,6 @@ class ViewProviderCells:
         material.SpecularColor = (0.0, 0.0, 0.0)
         view_object.ShapeMaterial = material
         view_object.DiffuseColor = [(*cells.color(number), 0.0) for number in numbers]
-
-    def doubleClicked(self, view_object):
-        """Opens the task panel."""
-        document = FreeCADGui.getDocument(view_object.Object.Document)
-        if document.getInEdit() is None:
-            document.setEdit(view_object.Object.Name)
-        return True
-
-    def setEdit(self, view_object, mode=0):
-        if mode != 0:
-            return None
-        if FreeCADGui.Control.activeDialog():
-            FreeCAD.Console.PrintError(
-                FreeCAD.Qt.translate("Tessera", "Close the open task panel first.") + "\n"
-            )
-            return False
-        FreeCADGui.Control.showDialog(self.panel(view_object.Object))
-        return True
-
-    def unsetEdit(self, view_object, mode=0):
-        if mode != 0:
-            return None
-        FreeCADGui.Control.closeDialog()
-        return True
 
 
 def _matt(color):
