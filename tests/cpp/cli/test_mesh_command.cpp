@@ -487,7 +487,7 @@ TEST_F(MeshCommand, StagePictures)
 TEST_F(MeshCommand, TimeLimitAndInterruptLeaveNothing)
 {
     program.give("a.poly", kSquare);
-    const std::vector<std::string> big {"mesh", "a.poly", "-o", "x.vtu", "--size", "0.002"};
+    const std::vector<std::string> big {"mesh", "a.poly", "-o", "x.vtu", "--size", "0.004"};
     std::vector<std::string> limited = big;
     limited.insert(limited.end(), {"--time-limit", "0.05"});
     refuse(limited, "time limit", 3);
