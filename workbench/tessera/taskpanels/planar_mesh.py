@@ -15,7 +15,7 @@ import tessera
 from tessera.objects import planar_mesh
 from tessera.taskpanels.sizes import SizesForm
 from tessera.taskpanels.task_panel import TaskPanel
-from tessera.tools import resources
+from tessera.tools import forms, resources
 from tessera.tools.mesh_job import MeshJob
 from tessera.tools.number_field import NumberField
 from tessera.tools.request import FILLS, MeshRequest, default_size
@@ -51,7 +51,7 @@ class PlanarMeshPanel(TaskPanel):
     """Task panel in FreeCAD's sense: form, accept, reject, getStandardButtons."""
 
     def __init__(self, targets):
-        self._main = FreeCADGui.PySideUic.loadUi(resources.form("planar_mesh"))
+        self._main = forms.load("planar_mesh")
         self._document = targets[0].document
         self._document_name = self._document.Name
         self._targets = targets

@@ -7,10 +7,9 @@ import re
 from dataclasses import replace
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtCore, QtGui
 
-from tessera.tools import resources
+from tessera.tools import forms, resources
 from tessera.tools.number_field import NumberField, length_of, length_text
 from tessera.tools.request import LocalSize
 from tessera.tools.selection import picked_point, selected_places
@@ -29,7 +28,7 @@ class SizesForm(QtCore.QObject):
 
     def __init__(self, targets):
         super().__init__()
-        self.form = FreeCADGui.PySideUic.loadUi(resources.form("sizes"))
+        self.form = forms.load("sizes")
         self.form.setWindowIcon(QtGui.QIcon(resources.icon("tessera_mesh_sketch")))
         self._targets = targets
         self._rows = []

@@ -4,7 +4,8 @@
 import math
 
 import FreeCAD
-from PySide import QtGui
+
+from tessera.tools.forms import TextLine
 
 
 class NumberField:
@@ -19,9 +20,9 @@ class NumberField:
         self._is_length = is_length
         self._value = self._shown = 0.0
         self._refused = None
-        self._edit = field.findChild(QtGui.QLineEdit)
+        self._line = TextLine(field)
         if is_length:
-            self._edit.textEdited.connect(self._note_typed)
+            self._line.when_edited(self._note_typed)
 
     def _note_typed(self, text):
         is_length = length_of(text, self._field.locale()) is not None
@@ -39,7 +40,7 @@ class NumberField:
         """Lengths in millimeters."""
         if self._refused is not None:
             text = self._refused
-            if self._edit.text() != text:
+            if self._line.text() != text:
                 self._refused = None
             raise ValueError(text)
         shown = self._read()
