@@ -123,6 +123,10 @@ def test_boolean_by_picking_cells(document, pair, output):
     assert not booleans(document), "the preview is not in the document"
     window.picture(output / "boolean-panel.png")
     row = [text for text, _ in panel.rows()].index("Right")
+    panel.widget("keepNone").click()
+    panel.press("Ok")
+    assert "at least" in panel.message and not booleans(document)
+    panel.widget("keepAll").click()
     panel.keep(row, False)
     window.picture(output / "boolean-picked.png")
     panel.press("Ok")

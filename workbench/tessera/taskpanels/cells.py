@@ -297,10 +297,10 @@ class CellsPanel(TaskPanel):
         if self._document_name not in FreeCAD.listDocuments():
             self._preview.close()
             return True
-        if not self.update():
-            return False
         if self._cells and not self._kept:
             self._tell(translate("Tessera", "Keep one cell at least."), _CRITICAL)
+            return False
+        if not self.update():
             return False
         document = FreeCAD.getDocument(self._document_name)
         values = {**self.values(), "KeptCells": self._kept_points()}
