@@ -1,34 +1,52 @@
 # SPDX-License-Identifier: MIT
 """Forms of task panels, loaded so that Python sees the widgets as what they are.
 
-FreeCAD deletes the widgets of a closed panel behind PySide's back: a reference that is left to one
-is taken for whatever new object comes to lie at its address, with the class of the old one.
+FreeCAD deletes the widgets of a closed panel behind PySide's back: a reference that is left to one,
+by whomever, is taken for whatever new widget comes to lie at its address, with the class of the old
+one.
 """
 
 import gc
+from xml.etree import ElementTree
 
 import FreeCADGui
-from PySide import QtCore
+from PySide import QtGui
 
 from tessera.tools import resources
 
 
 def load(name):
-    """The form in resources/ui. References in cycles, which only the collector finds, go first."""
-    gc.collect()
-    return FreeCADGui.PySideUic.loadUi(resources.form(name))
+    """The form in resources/ui. Loaded again, at other addresses, while any of its widgets is taken
+    for another."""
+    path = resources.form(name)
+    names = [widget.get("name") for widget in ElementTree.parse(path).iter("widget")]
+    loaded = []  # what is given up keeps its addresses meanwhile
+    for _ in range(20):
+        gc.collect()
+        loaded.append(FreeCADGui.PySideUic.loadUi(path))
+        if all(_is_seen_right(getattr(loaded[-1], name, None)) for name in names[1:]):
+            break
+    return loaded[-1]
 
 
-class TextLine:
-    """The line inside a spin box, whatever class a reference that somebody else has left gives it:
-    only what every QObject can do is asked of it."""
+def text_line(spin_box):
+    """The line inside a spin box in which the user types."""
+    return spin_box.findChild(QtGui.QLineEdit)
 
-    def __init__(self, spin_box):
-        self._edit = next(child for child in spin_box.children() if child.inherits("QLineEdit"))
 
-    def text(self):
-        return self._edit.property("text")
+def _is_seen_right(widget):
+    if widget is None:
+        return False
+    if not isinstance(widget, _nearest_class(widget.metaObject())):
+        return False
+    return not widget.inherits("QAbstractSpinBox") or text_line(widget) is not None
 
-    def when_edited(self, function):
-        """function gets the text after each change by the user."""
-        QtCore.QObject.connect(self._edit, QtCore.SIGNAL("textEdited(QString)"), function)
+
+def _nearest_class(meta):
+    """The class that PySide has for a widget; of FreeCAD's own widgets, of what they derive from."""
+    while meta is not None:
+        known = getattr(QtGui, meta.className(), None)
+        if known is not None:
+            return known
+        meta = meta.superClass()
+    return QtGui.QWidget
