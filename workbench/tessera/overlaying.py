@@ -81,7 +81,8 @@ class Polygons:
         return self._data.wkt
 
     def write(self, path):
-        """Writes .wkt or .poly, faces as .brep or .step in the frame of the first sketch, or the triangles in any format of tessera.Mesh.write()."""
+        """Writes .wkt or .poly, faces as .brep or .step in the frame of the first sketch, or the
+        triangles in any format of tessera.Mesh.write()."""
         self._data.write(os.fspath(path))
 
 
@@ -129,6 +130,7 @@ def prepare_overlay(sources):
     """Reads the sources, each as one operand, for a run that must not look at the document."""
     prepared = prepare(sources, False, (), ())
     prepared.network.join_operands()
+    prepared.base = prepared.container @ prepared.base
     return prepared
 
 
@@ -146,7 +148,8 @@ def overlay(
     """Boolean operations on sketches, planar shapes or arrays; returns a tessera.Overlay.
 
     sources      a list of sources of one kind as tessera.mesh() takes them: each is one operand,
-                 whatever number of faces it has; or what prepare_overlay() made of it.
+                 whatever number of faces it has, where the user sees it: bodies and parts that
+                 contain it count; or what prepare_overlay() made of it.
     fill         what is inside an operand: "even-odd", "nonzero", "positive", "negative", "all".
     weld         ends of curves closer than this become one; None: 0 for arrays, the CAD tolerance
                  for shapes.

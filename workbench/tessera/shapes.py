@@ -2,6 +2,8 @@
 """Sketches, document objects and shapes of FreeCAD as text for the compiled module. Imported only
 when such a source is given."""
 
+import math
+
 import FreeCAD
 import numpy as np
 import Part
@@ -104,13 +106,31 @@ def make_source(item, construction):
 def to_space(source):
     """The placement that brings a source's shape from where it is given to where the user sees it,
     the bodies and parts that contain it included; None: it is there."""
-    owner = source.owner
-    container = FreeCAD.Placement()
-    if hasattr(owner, "getGlobalPlacement"):
-        container = owner.getGlobalPlacement().multiply(owner.Placement.inverse())
     own = source.placement or FreeCAD.Placement()
-    placement = container.multiply(own)
+    placement = container_placement(source.owner).multiply(own)
     return None if placement.isIdentity() else placement
+
+
+def container_placement(owner):
+    """Where the body or part lies that contains an object; a shape has none."""
+    if not hasattr(owner, "getGlobalPlacement"):
+        return FreeCAD.Placement()
+    return owner.getGlobalPlacement().multiply(owner.Placement.inverse())
+
+
+def same_place(a, b):
+    """Equal but for what a file's decimals change."""
+    return all(
+        math.isclose(x, y, rel_tol=1e-12, abs_tol=1e-9)
+        for x, y in zip(a.toMatrix().A, b.toMatrix().A)
+    )
+
+
+def between_containers(owner, home):
+    """The placement that brings what an object's container holds into another container, whose own
+    placement is home; None: it is the same one."""
+    container = container_placement(owner)
+    return None if same_place(container, home) else home.inverse().multiply(container)
 
 
 def _from_shape(owner, label, shape):

@@ -16,12 +16,13 @@ from tessera.native import module as native
 
 
 class Prepared:
-    """The compiled input, and where its frame lies: a 4 x 4 matrix. names finds what the user names
-    in the sources."""
+    """The compiled input. base: 4 x 4, from its frame to the body or part that contains the first
+    source; container: 4 x 4, from there to space. names finds what the user names in the sources."""
 
-    def __init__(self, network, base, names):
+    def __init__(self, network, base, names, container):
         self.network = network
         self.base = base
+        self.container = container
         self._names = names
 
     def curves(self, element):
@@ -131,7 +132,7 @@ def _prepare_arrays(items, roles):
             for given, elements in roles:
                 role = given if _has(elements, name, number) else role
             network.add_polygon(arrays.rings_of(item), name, role)
-    return Prepared(network, np.eye(4), ArrayNames(items))
+    return Prepared(network, np.eye(4), ArrayNames(items), np.eye(4))
 
 
 class ArrayNames:
@@ -213,13 +214,18 @@ def _prepare_cad(items, construction, roles):
     everything = sources + added
     prefixes = _prefixes(everything)
 
-    base = next((s.placement for s in everything if s.placement is not None), None)
+    home = shapes.container_placement(everything[0].owner)
+    placements = [
+        _in_container(source, shapes.between_containers(source.owner, home))
+        for source in everything
+    ]
+    base = next((p for s, p in zip(everything, placements) if s.placement is not None), None)
     network = native.NetworkInput()
     matrix = np.eye(4) if base is None else matrix_of(base)
-    prepared = Prepared(network, matrix, CadNames(everything))
+    prepared = Prepared(network, matrix, CadNames(everything, home), matrix_of(home))
     given = [
-        source.native(prefix, _to_frame(source, base))
-        for source, prefix in zip(everything, prefixes)
+        source.native(prefix, _to_frame(placement, base))
+        for source, prefix, placement in zip(everything, prefixes, placements)
     ]
     with prepared.placed_errors():
         network.add_shapes(given, base is not None)
@@ -227,10 +233,12 @@ def _prepare_cad(items, construction, roles):
 
 
 class CadNames:
-    """Curves as for constraint, vertices as FreeCAD numbers them in the source's Shape."""
+    """Curves as for constraint, vertices as FreeCAD numbers them in the source's Shape. home: where
+    the container of the first source lies."""
 
-    def __init__(self, sources):
+    def __init__(self, sources, home):
         self._sources = sources
+        self._home = home
 
     def curves(self, element):
         if isinstance(element, tuple):
@@ -263,6 +271,8 @@ class CadNames:
         )
 
     def place(self, element):
+        from tessera.shapes import between_containers
+
         owners = [source.owner for source in self._sources]
         if isinstance(element, tuple):
             owner, name = element
@@ -276,7 +286,9 @@ class CadNames:
                 continue
             if 1 <= int(digits) <= len(elements):
                 chosen = elements[int(digits) - 1]
-                return tuple(chosen.Point if kind == "Vertex" else _point_inside(chosen))
+                point = chosen.Point if kind == "Vertex" else _point_inside(chosen)
+                between = between_containers(owner, self._home)
+                return tuple(point if between is None else between.multVec(point))
             raise InvalidOptionError(
                 f"There is no {kind.lower()} called {name!r}; there are {len(elements)}, from "
                 f"'{kind}1' on."
@@ -292,16 +304,24 @@ def _point_inside(face):
     return (a + b + c) / 3.0
 
 
-def _to_frame(source, base):
-    """The placement that brings the source's shape into the frame of the first sketch, whose own
-    shape is in it already; None: leave it."""
+def _in_container(source, between):
+    """The placement that brings a source's shape into the container of the first one, from which
+    another container leads by the given placement; None: it is there."""
+    if between is None:
+        return source.placement
+    return between if source.placement is None else between.multiply(source.placement)
+
+
+def _to_frame(placement, base):
+    """The placement that goes on into the frame of the first sketch, whose own shape is in it
+    already; None: leave it."""
     if base is None:
-        return None
-    if source.placement is None:
+        return placement
+    if placement is None:
         return base.inverse()
-    if np.array_equal(matrix_of(source.placement), matrix_of(base)):
+    if np.array_equal(matrix_of(placement), matrix_of(base)):
         return None
-    return base.inverse().multiply(source.placement)
+    return base.inverse().multiply(placement)
 
 
 def _prefixes(sources):

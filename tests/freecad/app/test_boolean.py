@@ -104,6 +104,40 @@ def test_placed_sketches_give_faces_in_their_plane(document, pair):
     assert obj.Shape.Area == pytest.approx(AREAS["Union"])
 
 
+def in_container(document, kind, sketch, *offset):
+    container = document.addObject(kind, "Container")
+    container.addObject(sketch)
+    container.Placement.Base = Vector(*offset)
+    document.recompute()
+
+
+def test_sketches_are_combined_where_the_user_sees_them(document):
+    """Squares of side 4, in a body at (10, 0), in a part at (12, 2), and outside of any."""
+    squares = [sketches.new_sketch(document, name) for name in "ABC"]
+    for square, x in zip(squares, (0, 0, 13)):
+        sketches.add_rectangle(square, x, 0, 4, 4)
+    in_container(document, "PartDesign::Body", squares[0], 10, 0, 0)
+    in_container(document, "App::Part", squares[1], 12, 2, 0)
+    a, b, c = squares
+    for pair, box, area in (
+        ([a, b], (12, 2, 14, 4), 4),
+        ([b, a], (12, 2, 14, 4), 4),
+        ([a, c], (13, 0, 14, 4), 4),
+        ([c, b], (13, 2, 16, 4), 6),
+    ):
+        obj = make_boolean(pair, "Intersection")
+        document.recompute()
+        found = obj.Shape.BoundBox
+        assert (found.XMin, found.YMin, found.XMax, found.YMax) == pytest.approx(box)
+        assert obj.Shape.Area == pytest.approx(area)
+        overlay = tessera.overlay(pair).intersection()
+        assert overlay.area == pytest.approx(area)
+        assert overlay.to_shape().BoundBox.XMax == pytest.approx(box[2])
+    alone = make_boolean([b], "Union")
+    document.recompute()
+    assert alone.Shape.BoundBox.XMin == pytest.approx(12)
+
+
 def test_bad_sources_keep_the_shape_and_are_told(document, pair):
     obj = make_boolean(pair, "Union")
     document.recompute()

@@ -9,7 +9,6 @@ import Part
 
 import tessera
 from tessera.objects.face_feature import NORMAL, READ_ONLY, FaceFeature, make_feature
-from tessera.objects.planar_mesh import container_placement
 from tessera.tools import cells
 from tessera.tools.request import FILLS
 
@@ -103,23 +102,15 @@ class Boolean(FaceFeature):
 
     def compute(self, obj):
         items = cells.items_of(obj.Sources)
-        polygons = combine(
-            items, obj.Operation, obj.Priority, obj.Fill, obj.Weld.Value
-        )
+        polygons = combine(items, obj.Operation, obj.Priority, obj.Fill, obj.Weld.Value)
         numbers = cells.kept([polygon.rings for polygon in polygons], obj.KeptCells)
         faces = polygons.to_faces()
-        shape = Part.Compound([faces[number] for number in numbers])
-        shape.Placement = container_placement(_owner(items[0])).multiply(shape.Placement)
-        obj.Shape = shape
+        obj.Shape = shape = Part.Compound([faces[number] for number in numbers])
         obj.Cells = len(polygons)
         obj.Area = sum((face.Area for face in shape.Faces), 0.0)
         obj.FaceCells = numbers
         obj.CellSources = ["+".join(str(o + 1) for o in polygons[n].operands) for n in numbers]
         obj.Messages = polygons.report["messages"]
-
-
-def _owner(item):
-    return item[0] if isinstance(item, tuple) else item
 
 
 def combine(items, operation, priority="None", fill="Even-odd", weld=0.0):

@@ -4,8 +4,6 @@
 The class path and the property names are stored in users' files: they never change.
 """
 
-import math
-
 import FreeCAD
 
 import tessera
@@ -16,6 +14,7 @@ from tessera.objects.size_properties import (
     links_to,
     local_sizes_of,
 )
+from tessera.shapes import container_placement, same_place
 from tessera.tools.mesh_history import MeshHistory
 from tessera.tools.plain_errors import RecomputeError, raising
 from tessera.tools.progress import RecomputeProgress
@@ -236,7 +235,7 @@ class PlanarMesh(Stateless):
         return (
             obj.Source is not None
             and obj.MeshRevision > 0
-            and not _same_place(container_placement(obj.Source), obj.ContainerPlacement)
+            and not same_place(container_placement(obj.Source), obj.ContainerPlacement)
         )
 
     @property
@@ -400,21 +399,6 @@ def apply_request(obj, request):
 
 def is_planar_mesh(obj):
     return isinstance(getattr(obj, "Proxy", None), PlanarMesh)
-
-
-def container_placement(source):
-    """Where the body or part lies that contains the source."""
-    if not hasattr(source, "getGlobalPlacement"):
-        return FreeCAD.Placement()
-    return source.getGlobalPlacement().multiply(source.Placement.inverse())
-
-
-def _same_place(a, b):
-    """Equal but for what a file's decimals change."""
-    return all(
-        math.isclose(x, y, rel_tol=1e-12, abs_tol=1e-9)
-        for x, y in zip(a.toMatrix().A, b.toMatrix().A)
-    )
 
 
 def make(request, analysis=None):

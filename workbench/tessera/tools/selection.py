@@ -47,7 +47,7 @@ def selected_places():
 def picked_point(source):
     """Where the user has clicked last, on the source or on anything else that is selected: in the
     frame of a sketch, else where the source's shape is; None if nothing was clicked."""
-    from tessera.objects.planar_mesh import container_placement
+    from tessera.shapes import container_placement
 
     points = [point for item in FreeCADGui.Selection.getSelectionEx() for point in item.PickedPoints]
     if not points:
