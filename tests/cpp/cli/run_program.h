@@ -3,6 +3,7 @@
 
 #include "io/expect_error.h"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
@@ -54,6 +55,18 @@ public:
     Outcome run(const std::vector<std::string>& arguments) const
     {
         return finish(start(arguments));
+    }
+
+    /// Expects a run to end with the status, one line on stderr that has the text, and no new file.
+    void refuse(const std::vector<std::string>& arguments, const std::string& text,
+                int status = 1) const
+    {
+        const std::size_t before = folder_.fileCount();
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, status) << outcome.err;
+        EXPECT_EQ(outcome.errorLines(), 1U) << outcome.err;
+        EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err << "expected: " << text;
+        EXPECT_EQ(folder_.fileCount(), before) << "something was left behind";
     }
 
     /// Sends a signal some time after the program has begun to catch it, however slow its start.

@@ -41,15 +41,6 @@ protected:
         EXPECT_EQ(outcome.err, "");
         return program.json("out.json");
     }
-    void refuse(const std::vector<std::string>& arguments, const std::string& text, int status)
-    {
-        const std::size_t before = program.folder().fileCount();
-        const Outcome outcome = program.run(arguments);
-        EXPECT_EQ(outcome.status, status);
-        EXPECT_EQ(outcome.errorLines(), 1U) << outcome.err;
-        EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
-        EXPECT_EQ(program.folder().fileCount(), before);
-    }
 
     Program program;
 };
@@ -112,16 +103,16 @@ TEST_F(ImprintCommand, RefusesInOneLine)
         more.insert(more.begin(), start.begin(), start.end());
         return more;
     };
-    refuse({"imprint", "--source", "s.wkt", "-o", "a.wkt"}, "--target is required", 2);
-    refuse(with({"-o", "a.txt"}), ".brep", 2);
-    refuse(with({"-o", "a.wkt", "--direction", "1,0"}), "three numbers", 2);
-    refuse(with({"-o", "a.wkt", "--direction", "1,0,0"}), "along the plane", 1);
-    refuse(with({"-o", "a.wkt", "--tolerance=-1"}), "tolerance", 1);
-    refuse(with({"-o", "a.wkt", "--tolerance", "nan"}), "tolerance", 1);
-    refuse(with({"-o", "s.wkt"}), "replace the input", 1);
-    refuse({"imprint", "--source", "s.wkt", "--target", "no.brep", "-o", "a.wkt"},
+    program.refuse({"imprint", "--source", "s.wkt", "-o", "a.wkt"}, "--target is required", 2);
+    program.refuse(with({"-o", "a.txt"}), ".brep", 2);
+    program.refuse(with({"-o", "a.wkt", "--direction", "1,0"}), "three numbers", 2);
+    program.refuse(with({"-o", "a.wkt", "--direction", "1,0,0"}), "along the plane", 1);
+    program.refuse(with({"-o", "a.wkt", "--tolerance=-1"}), "tolerance", 1);
+    program.refuse(with({"-o", "a.wkt", "--tolerance", "nan"}), "tolerance", 1);
+    program.refuse(with({"-o", "s.wkt"}), "replace the input", 1);
+    program.refuse({"imprint", "--source", "s.wkt", "--target", "no.brep", "-o", "a.wkt"},
            "cannot be imprinted together", 1);
-    refuse({"imprint", "--source", "no.wkt", "--target", "t.wkt", "-o", "a.wkt"}, "no.wkt", 1);
+    program.refuse({"imprint", "--source", "no.wkt", "--target", "t.wkt", "-o", "a.wkt"}, "no.wkt", 1);
 }
 
 } // namespace

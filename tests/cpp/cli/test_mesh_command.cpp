@@ -43,15 +43,6 @@ protected:
         return program.json("out.json");
     }
     /// One line on stderr with text in it, the status, and nothing written.
-    void refuse(const std::vector<std::string>& arguments, const std::string& text, int status = 1)
-    {
-        const std::size_t before = program.folder().fileCount();
-        const Outcome outcome = program.run(arguments);
-        EXPECT_EQ(outcome.status, status) << outcome.err;
-        EXPECT_EQ(outcome.errorLines(), 1U) << outcome.err;
-        EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err << "expected: " << text;
-        EXPECT_EQ(program.folder().fileCount(), before) << "something was left behind";
-    }
 };
 
 TEST_F(MeshCommand, CountFindsTheSizeAndThreadsChangeNothing)
@@ -63,9 +54,9 @@ TEST_F(MeshCommand, CountFindsTheSizeAndThreadsChangeNothing)
     const json one = mesh({"a.poly", "--count", "3000", "--threads", "1"});
     EXPECT_EQ(one["mean_quality"], report["mean_quality"]);
     EXPECT_EQ(one["worst"], report["worst"]);
-    refuse({"mesh", "a.poly", "-o", "b.vtu", "--count", "3000", "--size", "1"}, "exclude each other");
-    refuse({"mesh", "a.poly", "-o", "b.vtu", "--count", "2.5"}, "--count is 2.5");
-    refuse({"mesh", "a.poly", "-o", "b.vtu", "--threads", "0"}, "--threads is 0");
+    program.refuse({"mesh", "a.poly", "-o", "b.vtu", "--count", "3000", "--size", "1"}, "exclude each other");
+    program.refuse({"mesh", "a.poly", "-o", "b.vtu", "--count", "2.5"}, "--count is 2.5");
+    program.refuse({"mesh", "a.poly", "-o", "b.vtu", "--threads", "0"}, "--threads is 0");
 }
 
 TEST_F(MeshCommand, FrozenBoundariesKeepTheirSegments)
@@ -147,7 +138,7 @@ TEST_F(MeshCommand, FillRules)
     EXPECT_NEAR(area("positive"), 100.0, 1e-9);
     EXPECT_NEAR(area("all"), 100.0, 1e-9);
     EXPECT_NEAR(area("hull"), 100.0, 1e-9);
-    refuse({"mesh", "a.poly", "-o", "x.vtu", "--fill", "negative"}, "");
+    program.refuse({"mesh", "a.poly", "-o", "x.vtu", "--fill", "negative"}, "");
 }
 
 TEST_F(MeshCommand, RolesByMarkerAndLine)
@@ -163,7 +154,7 @@ TEST_F(MeshCommand, RolesByMarkerAndLine)
     EXPECT_NEAR(mesh({"a.poly", "--no-refine", "--ignore", "2"})["area"].get<double>(), 100.0, 1e-9);
     EXPECT_NEAR(mesh({"a.poly", "--no-refine", "--ignore", "1"})["area"].get<double>(), 9.0, 1e-9);
     EXPECT_EQ(mesh({"a.wkt", "--no-refine", "--boundary", "2", "--ignore", "1"})["area"], 2.0);
-    refuse({"mesh", "a.poly", "-o", "x.vtu", "--constraint", "2,7"}, "number 7");
+    program.refuse({"mesh", "a.poly", "-o", "x.vtu", "--constraint", "2,7"}, "number 7");
 }
 
 TEST_F(MeshCommand, EdgeNumbersOfSeveralShapes)
@@ -178,15 +169,15 @@ TEST_F(MeshCommand, EdgeNumbersOfSeveralShapes)
     // Only the first shape has that many edges: its hole.
     EXPECT_NEAR(mesh({"a.brep", "b.brep", "--constraint", "5,6,7,8"})["area"].get<double>(), 125.0,
                 1e-9);
-    refuse({"mesh", "a.brep", "b.brep", "-o", "x.vtu", "--constraint", "9"}, "number 9");
-    refuse({"mesh", "b.brep", "-o", "x.vtu", "--constraint", "5"}, "has 4 edges");
+    program.refuse({"mesh", "a.brep", "b.brep", "-o", "x.vtu", "--constraint", "9"}, "number 9");
+    program.refuse({"mesh", "b.brep", "-o", "x.vtu", "--constraint", "5"}, "has 4 edges");
 }
 
 TEST_F(MeshCommand, AGapIsNamedAndClosedByTheWeldTolerance)
 {
     program.give("gap.poly", "5 2 0 0\n1 0 0\n2 10 0\n3 10 10\n4 0 10\n5 0 0.1\n"
                              "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n");
-    refuse({"mesh", "gap.poly", "-o", "x.vtu"}, "(0, 0) and (0, 0.1), 0.1 apart");
+    program.refuse({"mesh", "gap.poly", "-o", "x.vtu"}, "(0, 0) and (0, 0.1), 0.1 apart");
     const auto report = mesh({"gap.poly", "--weld", "0.2"});
     EXPECT_NEAR(report["area"].get<double>(), 100.0, 1e-9);
     EXPECT_EQ(report["welded"], 1);
@@ -232,7 +223,7 @@ TEST_F(MeshCommand, NoInsideIsRefusedUnlessAllOrHull)
     program.give("empty.wkt", "POLYGON EMPTY\n");
     program.give("nothing.wkt", "");
     for (const char* file : {"line.wkt", "points.wkt", "flat.wkt", "empty.wkt", "nothing.wkt"}) {
-        refuse({"mesh", file, "-o", "x.vtu"}, "tessera: ");
+        program.refuse({"mesh", file, "-o", "x.vtu"}, "tessera: ");
     }
     for (const char* fill : {"all", "hull"}) {
         const Outcome outcome = program.run(
@@ -252,59 +243,59 @@ TEST_F(MeshCommand, BadOptions)
         return arguments;
     };
     for (const char* bad : {"0", "-1", "nan", "inf"}) {
-        refuse(with({"--size", bad}), "--size");
-        refuse(with({"--min-size", bad}), "--min-size");
-        refuse(with({"--max-area", bad}), "--max-area");
-        refuse(with({"--time-limit", bad}), "--time-limit");
+        program.refuse(with({"--size", bad}), "--size");
+        program.refuse(with({"--min-size", bad}), "--min-size");
+        program.refuse(with({"--max-area", bad}), "--max-area");
+        program.refuse(with({"--time-limit", bad}), "--time-limit");
     }
-    refuse(with({"--weld", "-1"}), "--weld");
-    refuse(with({"--growth", "0"}), "growth");
-    refuse(with({"--growth", "nan"}), "growth");
-    refuse(with({"--min-angle", "40"}), "angle");
-    refuse(with({"--size", "1e-9"}), "memory");
-    refuse(with({"--max-area", "1e-30"}), "1e+12 triangles or more");
+    program.refuse(with({"--weld", "-1"}), "--weld");
+    program.refuse(with({"--growth", "0"}), "growth");
+    program.refuse(with({"--growth", "nan"}), "growth");
+    program.refuse(with({"--min-angle", "40"}), "angle");
+    program.refuse(with({"--size", "1e-9"}), "memory");
+    program.refuse(with({"--max-area", "1e-30"}), "1e+12 triangles or more");
     for (const auto& wrong : std::vector<std::vector<std::string>> {
              {"--size", "small"}, {"--size"}, {"--order", "3"}, {"--fill", "some"}, {"--fill", "3"},
              {"--recovery", "none"}, {"--constraint", "1,x"}, {"--no-such-option"},
              {"--elements", "quad"}}) {
-        refuse(with(wrong), "--help", 2);
+        program.refuse(with(wrong), "--help", 2);
     }
-    refuse({"mesh", "a.poly"}, "--output is required", 2);
-    refuse({"mesh", "-o", "x.vtu"}, "INPUT is required", 2);
-    refuse({"mesh", "a.poly", "-o", "x.obj"}, "should end in .vtu", 2);
-    refuse({"mesh", "a.poly", "-o", "x"}, "should end in .vtu", 2);
-    refuse({}, "--help", 2);
-    refuse({"meshes"}, "There is no command meshes; the commands are mesh, ", 2);
-    refuse({"--size", "1"}, "There is no option --size; the commands are", 2);
-    refuse(with({"--order", "1.5"}), "--order: '1.5' is not one of 1, 2", 2);
-    refuse(with({"--size", "abc"}), "--size: 'abc' is not a number", 2);
-    refuse(with({"--size"}), "--size needs a value", 2);
-    refuse(with({"--size", "1", "--size", "2"}), "--size is given more than once", 2);
+    program.refuse({"mesh", "a.poly"}, "--output is required", 2);
+    program.refuse({"mesh", "-o", "x.vtu"}, "INPUT is required", 2);
+    program.refuse({"mesh", "a.poly", "-o", "x.obj"}, "should end in .vtu", 2);
+    program.refuse({"mesh", "a.poly", "-o", "x"}, "should end in .vtu", 2);
+    program.refuse({}, "--help", 2);
+    program.refuse({"meshes"}, "There is no command meshes; the commands are mesh, ", 2);
+    program.refuse({"--size", "1"}, "There is no option --size; the commands are", 2);
+    program.refuse(with({"--order", "1.5"}), "--order: '1.5' is not one of 1, 2", 2);
+    program.refuse(with({"--size", "abc"}), "--size: 'abc' is not a number", 2);
+    program.refuse(with({"--size"}), "--size needs a value", 2);
+    program.refuse(with({"--size", "1", "--size", "2"}), "--size is given more than once", 2);
     for (const char* option : {"--size", "--weld", "--report", "--stages", "--time-limit",
                                "--boundary", "--size-at", "--size-expr"}) {
-        refuse(with({option, ""}), std::string(option) + ": the value is empty", 2);
+        program.refuse(with({option, ""}), std::string(option) + ": the value is empty", 2);
     }
     for (const char* list : {",", "1,", "1,,2", "a", "1.5", "99999999999"}) {
-        refuse(with({"--boundary", list}), "is not a whole number", 2);
+        program.refuse(with({"--boundary", list}), "is not a whole number", 2);
     }
-    refuse(with({"--boundary", "11,99"}), "number 99");
+    program.refuse(with({"--boundary", "11,99"}), "number 99");
 }
 
 TEST_F(MeshCommand, BadInputs)
 {
-    refuse({"mesh", "none.poly", "-o", "x.vtu"}, "none.poly: cannot be read: No such file");
+    program.refuse({"mesh", "none.poly", "-o", "x.vtu"}, "none.poly: cannot be read: No such file");
     program.give("a.dxf", "0");
-    refuse({"mesh", "a.dxf", "-o", "x.vtu"}, "a.dxf: files of this kind cannot be read");
+    program.refuse({"mesh", "a.dxf", "-o", "x.vtu"}, "a.dxf: files of this kind cannot be read");
     program.give("bad.poly", "3 2 0 0\n1 0 0\n2 1 0\n3 1 nan\n");
-    refuse({"mesh", "bad.poly", "-o", "x.vtu"}, "bad.poly:4: 'nan' is not a finite number");
+    program.refuse({"mesh", "bad.poly", "-o", "x.vtu"}, "bad.poly:4: 'nan' is not a finite number");
     program.give("bad.wkt", "POLYGON((0 0,1 0,1 1,0 0))\nPOLYGON((0 0,1 0\n");
-    refuse({"mesh", "bad.wkt", "-o", "x.vtu"}, "bad.wkt:");
+    program.refuse({"mesh", "bad.wkt", "-o", "x.vtu"}, "bad.wkt:");
     program.give("bad.brep", "CASCADE Topology V1, (c) Matra-Datavision\nLocations 1\n");
-    refuse({"mesh", "bad.brep", "-o", "x.vtu"}, "bad.brep");
+    program.refuse({"mesh", "bad.brep", "-o", "x.vtu"}, "bad.brep");
     program.give("bad.step", "ISO-10303-21;\nHEADER;\n");
-    refuse({"mesh", "bad.step", "-o", "x.vtu"}, "bad.step");
+    program.refuse({"mesh", "bad.step", "-o", "x.vtu"}, "bad.step");
     program.give("far.poly", "3 2 0 0\n1 0 0\n2 1e200 0\n3 1 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
-    refuse({"mesh", "far.poly", "-o", "x.vtu"}, "tessera: ");
+    program.refuse({"mesh", "far.poly", "-o", "x.vtu"}, "tessera: ");
 }
 
 TEST_F(MeshCommand, RegressionsAreMeshed)
@@ -337,12 +328,12 @@ TEST_F(MeshCommand, TruncatedInputIsRefusedOrMeshed)
 TEST_F(MeshCommand, OutputsThatCannotBeWritten)
 {
     program.give("a.poly", kSquare);
-    refuse({"mesh", "a.poly", "-o", "none/x.vtu"}, "none/x.vtu: cannot be written: there is no folder none");
-    refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", "none/x.json"},
+    program.refuse({"mesh", "a.poly", "-o", "none/x.vtu"}, "none/x.vtu: cannot be written: there is no folder none");
+    program.refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", "none/x.json"},
            "none/x.json: cannot be written");
-    refuse({"mesh", "a.poly", "-o", "x.vtu", "--stages", "a.poly"}, "cannot be made");
+    program.refuse({"mesh", "a.poly", "-o", "x.vtu", "--stages", "a.poly"}, "cannot be made");
     std::filesystem::create_directory(program.folder() / "x.vtu");
-    refuse({"mesh", "a.poly", "-o", "x.vtu"}, "Is a directory");
+    program.refuse({"mesh", "a.poly", "-o", "x.vtu"}, "Is a directory");
 }
 
 TEST_F(MeshCommand, OutputsThatWouldReplaceAFileAreRefused)
@@ -351,16 +342,16 @@ TEST_F(MeshCommand, OutputsThatWouldReplaceAFileAreRefused)
     std::filesystem::create_symlink("a.poly", program.folder() / "link.poly");
     std::filesystem::create_directory(program.folder() / "sub");
     for (const char* name : {"a.poly", "./a.poly", "sub/../a.poly", "link.poly"}) {
-        refuse({"mesh", "a.poly", "-o", name}, "would replace the input a.poly");
-        refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", name}, "would replace the input");
+        program.refuse({"mesh", "a.poly", "-o", name}, "would replace the input a.poly");
+        program.refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", name}, "would replace the input");
     }
-    refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", "./x.vtu"}, "are one file");
-    refuse({"mesh", "a.poly", "-o", "sub/1-rectangle.svg", "--stages", "sub"},
+    program.refuse({"mesh", "a.poly", "-o", "x.vtu", "--report", "./x.vtu"}, "are one file");
+    program.refuse({"mesh", "a.poly", "-o", "sub/1-rectangle.svg", "--stages", "sub"},
            "in the folder of --stages");
     EXPECT_EQ(program.text("a.poly"), kSquare);
     EXPECT_EQ(program.run({"mesh", "a.poly", "-o", "x.vtu"}).status, 0);
     const std::string mesh = program.text("x.vtu");
-    refuse({"check", "x.vtu", "--report", "x.vtu"}, "would replace the input");
+    program.refuse({"check", "x.vtu", "--report", "x.vtu"}, "would replace the input");
     EXPECT_EQ(program.text("x.vtu"), mesh);
     // A device is nothing that could be replaced.
     EXPECT_EQ(program.run({"check", "x.vtu", "--report", "/dev/null"}).status, 0);
@@ -372,14 +363,14 @@ TEST_F(MeshCommand, LongNames)
     const std::string longest = std::string(251, 'x') + ".vtu";
     EXPECT_EQ(program.run({"mesh", "a.poly", "-o", longest}).status, 0);
     EXPECT_TRUE(program.has(longest));
-    refuse({"mesh", "a.poly", "-o", "x" + longest}, "File name too long");
+    program.refuse({"mesh", "a.poly", "-o", "x" + longest}, "File name too long");
 }
 
 TEST_F(MeshCommand, WeldThatSwallowsTheDrawing)
 {
     program.give("a.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))");
     for (const char* weld : {"10", "1"}) {
-        refuse({"mesh", "a.wkt", "-o", "x.vtu", "--weld", weld},
+        program.refuse({"mesh", "a.wkt", "-o", "x.vtu", "--weld", weld},
                "The weld tolerance of " + std::string(weld)
                    + " leaves nothing of the drawing, which measures 1.41421");
     }
@@ -490,7 +481,7 @@ TEST_F(MeshCommand, TimeLimitAndInterruptLeaveNothing)
     const std::vector<std::string> big {"mesh", "a.poly", "-o", "x.vtu", "--size", "0.004"};
     std::vector<std::string> limited = big;
     limited.insert(limited.end(), {"--time-limit", "0.05"});
-    refuse(limited, "time limit", 3);
+    program.refuse(limited, "time limit", 3);
     for (const int signal : {SIGINT, SIGTERM}) {
         const Outcome outcome =
             program.interrupt(big, signal, std::chrono::milliseconds(100));

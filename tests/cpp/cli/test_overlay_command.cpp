@@ -32,15 +32,6 @@ protected:
         EXPECT_EQ(outcome.err, "");
         return program.json("out.json");
     }
-    void refuse(const std::vector<std::string>& arguments, const std::string& text, int status)
-    {
-        const std::size_t before = program.folder().fileCount();
-        const Outcome outcome = program.run(arguments);
-        EXPECT_EQ(outcome.status, status);
-        EXPECT_EQ(outcome.errorLines(), 1U) << outcome.err;
-        EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
-        EXPECT_EQ(program.folder().fileCount(), before);
-    }
 };
 
 TEST_F(OverlayCommand, EveryOperation)
@@ -175,11 +166,11 @@ TEST_F(OverlayCommand, PicturesOfThePapersFigures)
 TEST_F(OverlayCommand, WhatIsWrongIsSaidInOneLine)
 {
     program.give("two.wkt", kTwo);
-    refuse({"overlay", "two.wkt", "-o", "out.wkt", "--op", "minus"}, "'minus' is not one of", 2);
-    refuse({"overlay", "two.wkt", "-o", "out.abc"}, "should end in .wkt", 2);
-    refuse({"overlay", "missing.wkt", "-o", "out.wkt"}, "missing.wkt", 1);
-    refuse({"overlay", "two.wkt", "-o", "out.wkt", "--weld", "-1"}, "--weld", 1);
-    refuse({"overlay", "two.wkt", "-o", "out.wkt", "--fill", "hull"}, "hull", 1);
+    program.refuse({"overlay", "two.wkt", "-o", "out.wkt", "--op", "minus"}, "'minus' is not one of", 2);
+    program.refuse({"overlay", "two.wkt", "-o", "out.abc"}, "should end in .wkt", 2);
+    program.refuse({"overlay", "missing.wkt", "-o", "out.wkt"}, "missing.wkt", 1);
+    program.refuse({"overlay", "two.wkt", "-o", "out.wkt", "--weld", "-1"}, "--weld", 1);
+    program.refuse({"overlay", "two.wkt", "-o", "out.wkt", "--fill", "hull"}, "hull", 1);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "io/expect_error.h"
 #include "occt/read_shape.h"
+#include "occt/shape_measures.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -16,9 +17,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <GProp_GProps.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
@@ -32,6 +31,9 @@ namespace tessera
 {
 namespace
 {
+
+using testing::areaOf;
+using testing::countOf;
 
 TopoDS_Face polygonAt(double z, const std::vector<Vec2>& corners)
 {
@@ -53,20 +55,6 @@ TopoDS_Face diskAt(double z, double x, double y, double r)
     const gp_Circ circle(gp_Ax2(gp_Pnt(x, y, z), gp::DZ()), r);
     const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(circle);
     return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(edge).Wire());
-}
-
-double areaOf(const TopoDS_Shape& shape)
-{
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);
-    return properties.Mass();
-}
-
-std::size_t countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
-{
-    TopTools_IndexedMapOfShape map;
-    TopExp::MapShapes(shape, kind, map);
-    return static_cast<std::size_t>(map.Extent());
 }
 
 struct Imprinted

@@ -5,22 +5,19 @@
 #include "io/expect_error.h"
 #include "occt/edge_curve.h"
 #include "occt/read_cad.h"
+#include "occt/shape_measures.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -37,6 +34,9 @@ namespace tessera
 {
 namespace
 {
+
+using testing::areaOf;
+using testing::countOf;
 
 struct Circle
 {
@@ -61,20 +61,6 @@ OverlayResult overlayCircles(const std::vector<Circle>& circles, BooleanOperatio
     options.form = form;
     Execution execution;
     return overlayNetwork(std::move(network), options, execution);
-}
-
-double areaOf(const TopoDS_Shape& shape)
-{
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);
-    return properties.Mass();
-}
-
-std::size_t countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
-{
-    TopTools_IndexedMapOfShape map;
-    TopExp::MapShapes(shape, kind, map);
-    return static_cast<std::size_t>(map.Extent());
 }
 
 bool isValid(const TopoDS_Shape& shape)
