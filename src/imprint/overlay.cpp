@@ -10,6 +10,7 @@
 #include "curve/chord_area.h"
 #include "curve/network_check.h"
 #include "imprint/contraction.h"
+#include "imprint/empty_overlay.h"
 #include "recover/constraint_map.h"
 #include "sample/sample.h"
 #include "sizing/uniform_size.h"
@@ -225,6 +226,10 @@ private:
         OverlayReport& report = result_.report;
         report.messages.insert(report.messages.end(), result_.parts.messages.begin(),
                                result_.parts.messages.end());
+        if (result_.parts.parts.empty()) {
+            report.messages.push_back(whyEmpty(result_.recovered, result_.network(), divided(),
+                                               boolean, execution_));
+        }
         for (const BooleanPart& part : result_.parts.parts) {
             report.area += part.area;
         }

@@ -114,8 +114,8 @@ private:
 
 /// The paper's Algorithm 2 for any number of operands: arrange, sample, triangulate, recover, color,
 /// then the outlines of what the operation keeps. Total: any finite curves, however they cross,
-/// overlap or touch. An empty result is no error. Throws Error. stages is told of the rectangle, the
-/// points and the recovery, for pictures.
+/// overlap or touch. An empty result is no error; a message says why it is empty. Throws Error. stages
+/// is told of the rectangle, the points and the recovery, for pictures.
 OverlayResult overlayNetwork(CurveNetwork network, const OverlayOptions& options,
                              Execution& execution, StageObserver* stages = nullptr);
 

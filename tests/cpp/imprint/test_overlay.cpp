@@ -206,6 +206,55 @@ TEST(Overlay, BothRecoveriesGiveTheSameCells)
     EXPECT_NEAR(cavity.report.area, steiner.report.area, 1e-12);
 }
 
+TEST(Overlay, AnEmptyResultSaysWhy)
+{
+    CurveNetwork apart = emptyNetwork(3);
+    addRing(apart, rectangle(0, 0, 1, 1), 0);
+    addRing(apart, rectangle(5, 0, 6, 1), 1);
+    addRing(apart, rectangle(0, 0, 1, 1), 2);
+    CurveNetwork open = emptyNetwork(1);
+    open.addPoint({0, 0});
+    open.addPoint({1, 0});
+    open.addPoint({1, 1});
+    open.curves.push_back({nullptr, PointId(0U), PointId(1U), OperandId(0U)});
+    open.curves.push_back({nullptr, PointId(1U), PointId(2U), OperandId(0U)});
+    CurveNetwork constraint = open;
+    for (NetworkCurve& curve : constraint.curves) {
+        curve.role = Role::Constraint;
+    }
+    CurveNetwork twice = emptyNetwork(1);
+    addRing(twice, rectangle(0, 0, 1, 1), 0);
+    addRing(twice, rectangle(0, 0, 1, 1), 0);
+    using enum BooleanOperation;
+    const struct
+    {
+        CurveNetwork network;
+        BooleanOperation operation;
+        std::string part;
+    } cases[] = {{apart, Intersection, "No place is covered by all 3 operands"},
+                 {apart, Difference, "No place is covered by the first operand alone"},
+                 {emptyNetwork(2), Union, "There are no curves"},
+                 {open, Cells, "2 ends are free"},
+                 {constraint, Union, "only open curves"},
+                 {twice, SymmetricDifference, "drawn twice"}};
+    for (const auto& c : cases) {
+        for (const OverlayForm form : {OverlayForm::Triangles, OverlayForm::Polygons}) {
+            OverlayOptions options;
+            options.operation = c.operation;
+            options.form = form;
+            const OverlayResult result = overlay(c.network, options);
+            EXPECT_TRUE(result.parts.parts.empty());
+            ASSERT_FALSE(result.report.messages.empty()) << c.part;
+            const std::string& last = result.report.messages.back();
+            EXPECT_TRUE(last.starts_with("The result is empty. ")) << last;
+            EXPECT_NE(last.find(c.part), std::string::npos) << last;
+        }
+    }
+    OverlayOptions options;
+    options.operation = SymmetricDifference;
+    EXPECT_TRUE(overlay(crossedSquares(), options).report.messages.empty());
+}
+
 TEST(Overlay, CancelEndsIt)
 {
     Execution execution;
