@@ -34,6 +34,9 @@ for case in cases:
     word = next((words[tag] for tag in words if case.find(tag) is not None), "passed")
     results.append(word)
     print(word, f"{case.get('classname')}.{case.get('name')} ({float(case.get('time')):.1f} s)")
+for case in cases:  # once more at the end, where a reader looks first
+    for failure in (found for tag in ("failure", "error") for found in case.iter(tag)):
+        print(f"\n{case.get('name')}:\n{failure.text}\n")
 print(f"{results.count('passed')} passed, {results.count('FAILED')} failed")
 END
     return "$status"

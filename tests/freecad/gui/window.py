@@ -159,7 +159,9 @@ class Panel:
     def mesh(self):
         """Presses Mesh and waits for the end."""
         self.press_mesh()
-        wait_until(lambda: not self.running)
+        wait_until(lambda: not self.running, fail=False)
+        bar = self.widget("progressBar")
+        assert not self.running, f"still at {bar.value() / 10:g} %, {bar.text()}"
         wait(0.1)
 
     def press(self, button):
@@ -183,7 +185,8 @@ def open_panel(*items):
     """Selects, then presses the toolbar's button."""
     select(*items)
     FreeCADGui.updateGui()
-    wait_until(lambda: toolbar_action().isEnabled())
+    wait_until(lambda: toolbar_action().isEnabled(), fail=False)
+    assert toolbar_action().isEnabled(), f"nothing to mesh in what is selected: {selected()}"
     toolbar_action().trigger()
     return Panel()
 

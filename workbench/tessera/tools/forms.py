@@ -16,15 +16,15 @@ from tessera.tools import resources
 
 
 def load(name):
-    """The form in resources/ui. Loaded again, at other addresses, while any of its widgets is taken
-    for another."""
+    """The form in resources/ui. Loaded again, at other addresses, while it or any of its widgets is
+    taken for another."""
     path = resources.form(name)
     names = [widget.get("name") for widget in ElementTree.parse(path).iter("widget")]
     loaded = []  # what is given up keeps its addresses meanwhile
     for _ in range(20):
         gc.collect()
         loaded.append(FreeCADGui.PySideUic.loadUi(path))
-        if all(_is_seen_right(getattr(loaded[-1], name, None)) for name in names[1:]):
+        if _is_seen_right(loaded[-1], names[1:]):
             break
     return loaded[-1]
 
@@ -34,9 +34,20 @@ def text_line(spin_box):
     return spin_box.findChild(QtGui.QLineEdit)
 
 
-def _is_seen_right(widget):
-    if widget is None:
+def _is_seen_right(form, names):
+    """The form and its widgets of these names."""
+    try:
+        return _has_right_class(form) and all(
+            _has_right_class(getattr(form, name))
+            # A form that is taken for an old one has the attributes of that.
+            and getattr(form, name) is form.findChild(QtGui.QWidget, name)
+            for name in names
+        )
+    except (AttributeError, RuntimeError):  # a reference that PySide knows to be to a deleted one
         return False
+
+
+def _has_right_class(widget):
     if not isinstance(widget, _nearest_class(widget.metaObject())):
         return False
     return not widget.inherits("QAbstractSpinBox") or text_line(widget) is not None
