@@ -350,10 +350,11 @@ private:
         result_.report.regions = regions_.keptRegions;
         if (regions_.keptRegions == 0 && !allowsEmpty()) {
             requireNotSwallowed();
-            throw explainNoInside(recovered_, network_, pslg_, options_.fill);
+            throw explainNoInside(recovered_, network_, pslg_, options_.fill,
+                                  {input_, arranged_.parent, result_.report.weld});
         }
         tell(regions_.messages);
-        tell(describeDroppedCurves(recovered_, network_, pslg_, regions_));
+        tell(describeDroppedCurves(recovered_, network_, pslg_, regions_, arranged_.parent));
         watch_.lap(result_.report.seconds.color);
         if (stages_ != nullptr) {
             stages_->outsideRemoved(recovered_, regions_);

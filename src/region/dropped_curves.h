@@ -5,6 +5,7 @@
 #include "region/region.h"
 #include "sample/pslg.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,11 @@ namespace tessera
 {
 
 /// What to tell the user about constraints, and chains that do not close, of which a part lies
-/// outside everything that is meshed: their names, and the gap that may be the reason. Empty if
-/// there are none. O(subsegments).
+/// outside everything that is meshed: their names, and the gap or crossing that may be the reason.
+/// parent as for findOutlineFlaw(). Empty if there are none. O(subsegments log subsegments).
 std::vector<std::string> describeDroppedCurves(const RecoveryResult& recovered,
                                                const CurveNetwork& network, const Pslg& pslg,
-                                               const RegionMap& regions);
+                                               const RegionMap& regions,
+                                               std::span<const CurveId> parent = {});
 
 } // namespace tessera

@@ -235,6 +235,24 @@ def test_open_sketch_names_the_geometry(document):
     assert places["Geometry0"].point == (0.0, 0.0, 50.0)
 
 
+def test_lines_that_overlap_in_part_are_named(document):
+    sides = rectangle(20, 10)
+    sides[0] = Part.LineSegment(Vector(0, 0), Vector(12, 0))
+    rest = Part.LineSegment(Vector(8, 0), Vector(20, 0))
+    source = sketch(document, [*sides, rest])
+    with pytest.raises(tessera.NoInsideError, match="overlap between .8, 0. and .12, 0.") as caught:
+        tessera.mesh(source, size=1.0)
+    assert {place.element for place in caught.value.places} == {"Geometry0", "Geometry4"}
+    assert tessera.mesh(source, size=1.0, fill="all").report["area"] == pytest.approx(200.0)
+
+
+def test_roles_that_leave_no_outline_are_named(document):
+    source = sketch(document, rectangle(20, 10))
+    with pytest.raises(tessera.NoInsideError, match="No outline is left") as caught:
+        tessera.mesh(source, size=1.0, constraint=[1, 3])
+    assert [place.element for place in caught.value.places] == ["Geometry1", "Geometry3"]
+
+
 def test_gap_below_and_above_the_weld_tolerance(document):
     sides = rectangle(20, 10)
     sides[3] = Part.LineSegment(Vector(0, 10), Vector(0, 0.1))

@@ -20,6 +20,8 @@ using Ring = std::vector<Vec2>;
 /// The stages up to the colors, with straight curves left whole.
 struct Colored
 {
+    CurveNetwork input;
+    std::vector<CurveId> parent;
     CurveNetwork network;
     Pslg pslg;
     RecoveryResult recovered;
@@ -56,7 +58,9 @@ inline Colored color(const CurveNetwork& network, FillRule fill, double size = 1
     Execution execution;
     ArrangeReport report;
     Colored colored;
+    colored.input = network;
     colored.network = arrange(network, {}, report, execution);
+    colored.parent = report.parent;
     colored.pslg = sample(colored.network, UniformSize(size),
                           {.straightSegments = false, .piecesPerTurn = 16}, execution);
     DelaunayResult delaunay = triangulate(colored.pslg.points, execution);
