@@ -162,7 +162,7 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
     for (std::size_t c = 0; c < result.curves.size(); ++c) {
         report.parent.emplace_back(c);
     }
-    report.firstCrossing = result.points.size();
+    report.firstCrossing = result.firstCrossing = result.points.size();
     weldPointsOntoCurves(result, options, report, execution);
     if (options.crossStraight) {
         crossStraightCurves(result, options, report, execution);

@@ -5,7 +5,9 @@
 #include "base/vec2.h"
 #include "curve/curve.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -100,6 +102,8 @@ struct CurveNetwork
     std::vector<RegionPoint> regions;
     /// Name of each curve's edge group by source number of its operand; may be empty.
     std::vector<std::string> curveNames; ///< by CurveId; empty or missing: none
+    /// Points from here on were made by arrange(), where curves cross or touch; none of an input.
+    std::size_t firstCrossing = std::numeric_limits<std::size_t>::max();
 
     PointId addPoint(Vec2 p)
     {

@@ -33,7 +33,7 @@ public:
         , execution_(execution)
         , graph_(recovered)
         , borders_(findBorders(recovered, network, pslg, options.fill, graph_))
-        , faces_(buildFaces(recovered, graph_, false, execution))
+        , faces_(buildFaces(recovered, graph_, execution))
         , marked_(markFaces(recovered, network, pslg, faces_, options.fill != FillRule::All,
                             execution))
         , byCell_(options.operation == BooleanOperation::Cells)

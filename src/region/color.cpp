@@ -13,6 +13,7 @@
 #include "region/borders.h"
 #include "region/cover.h"
 #include "region/faces.h"
+#include "region/hull_slivers.h"
 #include "region/marked_points.h"
 #include "region/subsegment_graph.h"
 
@@ -37,7 +38,10 @@ public:
         , execution_(execution)
         , graph_(recovered)
         , borders_(findBorders(recovered, network, pslg, fill, graph_))
-        , faces_(buildFaces(recovered, graph_, fill == FillRule::Hull, execution))
+        , faces_(fill == FillRule::Hull
+                     ? buildHullFaces(recovered, graph_,
+                                      findHullSlivers(recovered, network, pslg), execution)
+                     : buildFaces(recovered, graph_, execution))
         , marked_(markFaces(recovered, network, pslg, faces_, fill != FillRule::All, execution))
         , faceParent_(faces_.faceCount)
     {

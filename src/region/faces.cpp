@@ -3,9 +3,7 @@
 
 #include "region/region.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
 namespace tessera
 {
@@ -13,40 +11,38 @@ namespace tessera
 namespace
 {
 
-/// Of the greatest coordinate: some units in the last place.
-constexpr double kFlat = 16.0 * std::numeric_limits<double>::epsilon();
-
 class FaceFlood
 {
 public:
-    FaceFlood(const RecoveryResult& recovered, const SubsegmentGraph& graph, bool hullSeparates,
-              Execution& execution)
+    FaceFlood(const RecoveryResult& recovered, const SubsegmentGraph& graph,
+              const std::vector<std::uint32_t>* outsideHull, Execution& execution)
         : t_(recovered.triangulation)
         , subsegmentCount_(recovered.constraints.subsegments.size())
         , graph_(graph)
-        , hullSeparates_(hullSeparates)
+        , outsideHull_(outsideHull)
         , execution_(execution)
     {}
 
     FaceGraph run()
     {
         faces_.faceOfTriangle.assign(t_.triangles.size(), FaceGraph::kNoFace);
-        for (std::uint32_t v = 1; hullSeparates_ && v < t_.points.size(); ++v) {
-            flat_ = std::max({flat_, kFlat * std::fabs(t_.points[v].x),
-                              kFlat * std::fabs(t_.points[v].y)});
-        }
         for (const std::uint32_t seed : outerSeeds(t_)) {
             faces_.faceOfTriangle[seed] = 0;
             stack_.push_back(seed);
         }
-        flood(0);
+        flood();
+        if (outsideHull_ != nullptr) {
+            for (const std::uint32_t t : *outsideHull_) {
+                faces_.faceOfTriangle[t] = 0;
+            }
+        }
         faces_.faceCount = 1;
         for (std::uint32_t t = 0; t < t_.triangles.size(); ++t) {
             if (faces_.faceOfTriangle[t] == FaceGraph::kNoFace && !t_.isDead(t)) {
                 const auto face = static_cast<std::uint32_t>(faces_.faceCount++);
                 faces_.faceOfTriangle[t] = face;
                 stack_.push_back(t);
-                flood(face);
+                flood();
             }
         }
         link();
@@ -54,31 +50,15 @@ public:
     }
 
 private:
-    /// h is an edge of a triangle of the face.
-    bool separates(HalfEdge h, std::uint32_t face) const
+    bool separates(HalfEdge h) const
     {
-        const std::uint32_t beyond = Topology::triangleOf(t_.twin(h));
-        if (t_.isConstrained(h) || !hullSeparates_) {
-            return t_.isConstrained(h);
-        }
-        if (face == 0) {
-            return !t_.isGhost(beyond) && !isFlat(beyond);
-        }
-        return t_.isGhost(beyond);
+        const bool ghost = t_.isGhost(Topology::triangleOf(h));
+        const bool ghostBeyond = t_.isGhost(Topology::triangleOf(t_.twin(h)));
+        return t_.isConstrained(h) || (outsideHull_ != nullptr && ghost != ghostBeyond);
     }
 
-    /// Flatter than the rounding of constructed points can make what lies on one line.
-    bool isFlat(std::uint32_t triangle) const
-    {
-        const auto& v = t_.triangles[triangle].v;
-        const Vec2 p[3] = {t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]};
-        const double longest = std::sqrt(std::max({squaredLength(p[1] - p[0]),
-                                                   squaredLength(p[2] - p[1]),
-                                                   squaredLength(p[0] - p[2])}));
-        return std::fabs(cross(p[1] - p[0], p[2] - p[0])) <= flat_ * longest;
-    }
-
-    void flood(std::uint32_t face)
+    /// From the triangles on the stack, which have their face, to all of the same face.
+    void flood()
     {
         while (!stack_.empty()) {
             const std::uint32_t t = stack_.back();
@@ -89,8 +69,8 @@ private:
             for (std::uint32_t i = 0; i < 3; ++i) {
                 const HalfEdge h = Topology::halfEdge(t, i);
                 const std::uint32_t next = Topology::triangleOf(t_.twin(h));
-                if (faces_.faceOfTriangle[next] == FaceGraph::kNoFace && !separates(h, face)) {
-                    faces_.faceOfTriangle[next] = face;
+                if (faces_.faceOfTriangle[next] == FaceGraph::kNoFace && !separates(h)) {
+                    faces_.faceOfTriangle[next] = faces_.faceOfTriangle[t];
                     stack_.push_back(next);
                 }
             }
@@ -113,7 +93,7 @@ private:
                 faces_.links.push_back({faceLeftOf(h), faceLeftOf(t_.twin(h)), s});
             }
         }
-        if (hullSeparates_) {
+        if (outsideHull_ != nullptr) {
             linkHull();
         }
         faces_.start.assign(faces_.faceCount + 1, 0);
@@ -155,8 +135,7 @@ private:
     const Triangulation& t_;
     std::size_t subsegmentCount_;
     const SubsegmentGraph& graph_;
-    bool hullSeparates_;
-    double flat_ = 0.0; ///< greatest height of a flat triangle
+    const std::vector<std::uint32_t>* outsideHull_;
     Execution& execution_;
     FaceGraph faces_;
     std::vector<std::uint32_t> stack_;
@@ -166,9 +145,15 @@ private:
 } // namespace
 
 FaceGraph buildFaces(const RecoveryResult& recovered, const SubsegmentGraph& graph,
-                     bool hullSeparates, Execution& execution)
+                     Execution& execution)
 {
-    return FaceFlood(recovered, graph, hullSeparates, execution).run();
+    return FaceFlood(recovered, graph, nullptr, execution).run();
+}
+
+FaceGraph buildHullFaces(const RecoveryResult& recovered, const SubsegmentGraph& graph,
+                         const std::vector<std::uint32_t>& outside, Execution& execution)
+{
+    return FaceFlood(recovered, graph, &outside, execution).run();
 }
 
 } // namespace tessera

@@ -46,11 +46,14 @@ struct FaceGraph
     }
 };
 
-/// Floods the triangles from the outer seeds, then from each triangle not reached yet. With
-/// hullSeparates the convex hull is a border too, or rather what is inside of it by more than
-/// rounding: points made on one straight curve are off it by that, and the slivers between them and
-/// the hull are outside. O(triangles + subsegments).
+/// Floods the triangles from the outer seeds, then from each triangle not reached yet.
+/// O(triangles + subsegments).
 FaceGraph buildFaces(const RecoveryResult& recovered, const SubsegmentGraph& graph,
-                     bool hullSeparates, Execution& execution);
+                     Execution& execution);
+
+/// The same with the convex hull as a border too: outside of it are the outer seeds and the
+/// triangles named (see hull_slivers.h).
+FaceGraph buildHullFaces(const RecoveryResult& recovered, const SubsegmentGraph& graph,
+                         const std::vector<std::uint32_t>& outside, Execution& execution);
 
 } // namespace tessera

@@ -17,7 +17,7 @@ namespace tessera
 
 using Ring = std::vector<Vec2>;
 
-/// The stages up to the colors, with straight curves left whole.
+/// The stages up to the colors.
 struct Colored
 {
     CurveNetwork input;
@@ -53,7 +53,9 @@ inline void recolor(Colored& colored, FillRule fill)
     colored.map = colorRegions(colored.recovered, colored.network, colored.pslg, fill, execution);
 }
 
-inline Colored color(const CurveNetwork& network, FillRule fill, double size = 1e9)
+/// Straight curves are left whole unless asked.
+inline Colored color(const CurveNetwork& network, FillRule fill, double size = 1e9,
+                     bool cutStraight = false)
 {
     Execution execution;
     ArrangeReport report;
@@ -62,7 +64,7 @@ inline Colored color(const CurveNetwork& network, FillRule fill, double size = 1
     colored.network = arrange(network, {}, report, execution);
     colored.parent = report.parent;
     colored.pslg = sample(colored.network, UniformSize(size),
-                          {.straightSegments = false, .piecesPerTurn = 16}, execution);
+                          {.straightSegments = cutStraight, .piecesPerTurn = 16}, execution);
     DelaunayResult delaunay = triangulate(colored.pslg.points, execution);
     std::vector<ConstraintEnds> ends;
     for (const PslgSegment& segment : colored.pslg.segments) {
