@@ -19,7 +19,7 @@ bool hasCurveWith(const CurveNetwork& network, bool (*wanted)(Role))
 }
 
 std::string whyNothingIsCovered(const RecoveryResult& recovered, const CurveNetwork& network,
-                                const Pslg& pslg, FillRule fill)
+                                const Pslg& pslg, FillRule fill, const ArrangedInput& input)
 {
     if (!hasCurveWith(network, [](Role role) { return role != Role::Ignored; })) {
         return "There are no curves; draw closed outlines.";
@@ -28,7 +28,7 @@ std::string whyNothingIsCovered(const RecoveryResult& recovered, const CurveNetw
     if (fill != FillRule::All && !hasCurveWith(network, bounds)) {
         return "There are only open curves, which bound nothing; close them.";
     }
-    return explainNoInside(recovered, network, pslg, fill).what();
+    return explainNoInside(recovered, network, pslg, fill, input).what();
 }
 
 std::string whyOthersTakeAll(BooleanOperation operation, std::size_t operands)
@@ -49,7 +49,8 @@ std::string whyOthersTakeAll(BooleanOperation operation, std::size_t operands)
 } // namespace
 
 std::string whyEmpty(const RecoveryResult& recovered, const CurveNetwork& network, const Pslg& pslg,
-                     const BooleanOptions& options, Execution& execution)
+                     const BooleanOptions& options, const ArrangedInput& input,
+                     Execution& execution)
 {
     BooleanOptions all = options;
     all.operation = BooleanOperation::Union;
@@ -57,7 +58,7 @@ std::string whyEmpty(const RecoveryResult& recovered, const CurveNetwork& networ
         !colorBoolean(recovered, network, pslg, all, execution).parts.empty();
     return "The result is empty. "
         + (covered ? whyOthersTakeAll(options.operation, network.operands.size())
-                   : whyNothingIsCovered(recovered, network, pslg, options.fill));
+                   : whyNothingIsCovered(recovered, network, pslg, options.fill, input));
 }
 
 } // namespace tessera

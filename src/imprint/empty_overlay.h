@@ -3,6 +3,7 @@
 
 #include "base/execution.h"
 #include "region/boolean.h"
+#include "region/no_inside.h"
 
 #include <string>
 
@@ -13,6 +14,7 @@ namespace tessera
 /// nothing in common, ... Precondition: colorBoolean() of the same arguments gave no part. As dear as
 /// that.
 std::string whyEmpty(const RecoveryResult& recovered, const CurveNetwork& network, const Pslg& pslg,
-                     const BooleanOptions& options, Execution& execution);
+                     const BooleanOptions& options, const ArrangedInput& input,
+                     Execution& execution);
 
 } // namespace tessera

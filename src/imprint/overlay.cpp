@@ -227,8 +227,13 @@ private:
         report.messages.insert(report.messages.end(), result_.parts.messages.begin(),
                                result_.parts.messages.end());
         if (result_.parts.parts.empty()) {
+            std::vector<CurveId> parent;
+            for (std::size_t c = 0; c < result_.network().curves.size(); ++c) {
+                parent.push_back(result_.arranged ? result_.parent[c] : CurveId(c));
+            }
             report.messages.push_back(whyEmpty(result_.recovered, result_.network(), divided(),
-                                               boolean, execution_));
+                                               boolean, {result_.input, parent, options_.weld},
+                                               execution_));
         }
         for (const BooleanPart& part : result_.parts.parts) {
             report.area += part.area;
