@@ -15,6 +15,7 @@
 #include "region/faces.h"
 #include "region/hull_slivers.h"
 #include "region/marked_points.h"
+#include "region/region_order.h"
 #include "region/subsegment_graph.h"
 
 #include <algorithm>
@@ -193,6 +194,14 @@ private:
             regionOfFace_[f] = root == f ? count++ : regionOfFace_[root];
         }
         map_.regions.resize(count);
+        std::vector<std::uint32_t> regionOf = faces_.faceOfTriangle;
+        for (std::uint32_t& region : regionOf) {
+            region = region == FaceGraph::kNoFace ? kNoRegion : regionOfFace_[region];
+        }
+        const auto numbers = orderOfRegions(recovered_.triangulation, regionOf, count);
+        for (std::uint32_t& region : regionOfFace_) {
+            region = numbers[region];
+        }
     }
 
     /// Second walk: each region's operands, from the first of its faces that is reached.

@@ -27,8 +27,8 @@ struct Region
 struct RegionMap
 {
     std::vector<RegionId> regionOfTriangle; ///< invalid for ghost and dead triangles
-    /// In the order of their lowest triangle, but [0], always there, is the outer one: its
-    /// triangles lie between the outlines and the convex hull.
+    /// By place (see region_order.h), but [0], always there, is the outer one: its triangles lie
+    /// between the outlines and the convex hull.
     std::vector<Region> regions;
     /// By subsegment: it separates (Role::Boundary after Outline has been resolved).
     std::vector<std::uint8_t> isBoundary;

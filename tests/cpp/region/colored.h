@@ -55,7 +55,8 @@ inline void recolor(Colored& colored, FillRule fill)
 
 /// Straight curves are left whole unless asked.
 inline Colored color(const CurveNetwork& network, FillRule fill, double size = 1e9,
-                     bool cutStraight = false)
+                     bool cutStraight = false,
+                     RecoveryStrategy strategy = RecoveryStrategy::Cavity)
 {
     Execution execution;
     ArrangeReport report;
@@ -71,8 +72,8 @@ inline Colored color(const CurveNetwork& network, FillRule fill, double size = 1
         ends.push_back({delaunay.vertexOfPoint[segment.a.index()],
                         delaunay.vertexOfPoint[segment.b.index()]});
     }
-    colored.recovered = recoverBoundaries(std::move(delaunay.triangulation), ends,
-                                          RecoveryStrategy::Cavity, execution);
+    colored.recovered = recoverBoundaries(std::move(delaunay.triangulation), ends, strategy,
+                                          execution);
     recolor(colored, fill);
     return colored;
 }

@@ -343,6 +343,30 @@ TEST(ColorRegions, HullTakesEverything)
     EXPECT_DOUBLE_EQ(colored.areaInside(), 1.0);
 }
 
+TEST(ColorRegions, RegionsAreNumberedByTheirLeastCorner)
+{
+    // Three triangles around (0, 0), from below counter-clockwise, and two squares further on, in
+    // every order.
+    std::vector<Ring> rings {{{0, 0}, {0, -4}, {2, -3}},
+                             {{0, 0}, {2, -1}, {2, 1}},
+                             {{0, 0}, {3, 3}, {0, 5}},
+                             rectangle(5, -2, 6, -1),
+                             rectangle(5, 0, 7, 2)};
+    const std::vector<double> areas {4.0, 2.0, 7.5, 1.0, 4.0};
+    std::vector<std::size_t> order {0, 1, 2, 3, 4};
+    do {
+        CurveNetwork network = emptyNetwork(1);
+        for (const std::size_t i : order) {
+            addRing(network, rings[i]);
+        }
+        const Colored colored = color(network, FillRule::EvenOdd);
+        ASSERT_EQ(colored.map.regions.size(), 6U);
+        for (std::size_t r = 0; r < areas.size(); ++r) {
+            EXPECT_DOUBLE_EQ(colored.map.regions[r + 1].area, areas[r]);
+        }
+    } while (std::next_permutation(order.begin(), order.end()));
+}
+
 TEST(ColorRegions, OutlineOfAComponentIsItsOuterContour)
 {
     // A square with a cross inside, a tail outside and an island not joined to it.

@@ -53,6 +53,26 @@ TEST_F(RegionCorpora, AllKeepsTheBoundedFacesOfTheExactArrangement)
     }
 }
 
+TEST_F(RegionCorpora, BothStrategiesNumberTheSameRegions)
+{
+    std::size_t compared = 0;
+    for (const test::CorpusPslg& c : cases_) {
+        SCOPED_TRACE(c.name);
+        const CurveNetwork network = readCase(c);
+        const RegionMap cavity = color(network, FillRule::All).map;
+        const RegionMap steiner =
+            color(network, FillRule::All, 1e9, false, RecoveryStrategy::Steiner).map;
+        ASSERT_EQ(cavity.regions.size(), steiner.regions.size());
+        for (std::size_t r = 1; r < cavity.regions.size(); ++r) {
+            const double area = cavity.regions[r].area;
+            ASSERT_NEAR(area, steiner.regions[r].area, 1e-9 * area) << "region " << r;
+            ASSERT_EQ(cavity.regions[r].operands, steiner.regions[r].operands);
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 1000U);
+}
+
 /// Crossings of the ray from p to the right with what the network's roles say is boundary.
 bool insideByParity(const CurveNetwork& network, Vec2 p)
 {
