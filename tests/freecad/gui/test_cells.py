@@ -244,3 +244,14 @@ def test_tilted_faces_are_told_and_selected(document):
     assert len(panel.rows()) == imprints.CELLS
     panel.press("Cancel")
     assert not imprinted(document)
+
+
+@pytest.mark.parametrize("command", ["Boolean of sketches", "Imprint faces"])
+def test_a_closed_panel_leaves_no_references(document, command):
+    sources = [circle(document, "A", 0), circle(document, "B", 1)]
+    for time in range(2):  # what stays after the first time is not the panel's
+        before = window.references()
+        open_panel(command, *sources)
+        assert window.references() > before
+        window.Panel.press("Cancel")
+    assert not window.references() - before

@@ -391,3 +391,12 @@ def test_document_closed_under_the_panel(document):
     assert window.Panel.find() is None
     FreeCAD.newDocument("Next")
     window.wait(0.2)
+
+
+def test_a_closed_panel_leaves_no_references(document):
+    made(document)  # what stays after the first time is not the panel's
+    before = window.references()
+    window.double_click(window.planar_meshes(document)[0])
+    assert window.references() > before
+    window.Panel.press("Cancel")
+    assert not window.references() - before

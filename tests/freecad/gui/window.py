@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Hands and eyes of the tests in FreeCAD's window."""
 
+import collections
+import gc
 import time
 
 import FreeCAD
@@ -40,6 +42,13 @@ def visible_widgets():
     """References from QObject.findChildren() would stay for ever and be taken for new widgets at
     the address of deleted ones; these go with the list."""
     return [widget for widget in QtGui.QApplication.allWidgets() if widget.isVisible()]
+
+
+def references():
+    """How many widgets of each class Python refers to."""
+    gc.collect()
+    widgets = [w for w in gc.get_objects() if isinstance(w, QtGui.QWidget)]
+    return collections.Counter(type(w).__name__ for w in widgets)
 
 
 def select(*items):
@@ -164,7 +173,8 @@ class Panel:
         assert not self.running, f"still at {bar.value() / 10:g} %, {bar.text()}"
         wait(0.1)
 
-    def press(self, button):
+    @staticmethod
+    def press(button):
         """Presses OK or Cancel at the top of the task view."""
         _click_later(button)
         wait(0.3)
@@ -192,9 +202,10 @@ def open_panel(*items):
 
 
 def close_panel():
+    """As users do: FreeCADGui.Control.closeDialog() would leave references to the form."""
     if FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.closeDialog()
-    wait(0.1)
+        Panel.press("Cancel")
+    assert not FreeCADGui.Control.activeDialog()
 
 
 def double_click(obj):

@@ -6,6 +6,7 @@ import numpy as np
 
 from tessera.objects import boolean
 from tessera.taskpanels.cells import CellsPanel, PreviewCell, SourceList
+from tessera.tools import forms
 
 translate = FreeCAD.Qt.translate
 
@@ -32,7 +33,7 @@ class BooleanPanel(CellsPanel):
             self._operation.setCurrentIndex(self._operation.findData("Cells"))
         for field in (self._operation, self._priority, self._fill):
             field.currentIndexChanged.connect(self._on_changed)
-        self._weld.valueChanged.connect(self._on_changed)
+        forms.connect(self._weld, "valueChanged(double)", self._on_changed)
         self._on_changed()
 
     @classmethod

@@ -7,6 +7,7 @@ from PySide import QtGui
 
 from tessera.objects import imprinted_faces
 from tessera.taskpanels.cells import CellsPanel, PreviewCell, SourceList, narrow
+from tessera.tools import forms
 
 translate = FreeCAD.Qt.translate
 
@@ -30,7 +31,7 @@ class ImprintedFacesPanel(CellsPanel):
             self.set_length(self._tolerance, obj.Tolerance.Value)
             self._fill = obj.Fill
             self._points = list(obj.KeptCells)
-        self._tolerance.valueChanged.connect(self._on_changed)
+        forms.connect(self._tolerance, "valueChanged(double)", self._on_changed)
         for field in self._direction:
             field.valueChanged.connect(self._on_changed)
         self.update()

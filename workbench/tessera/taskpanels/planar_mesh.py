@@ -111,10 +111,10 @@ class PlanarMeshPanel(TaskPanel):
 
     def _connect(self):
         form = self._main
-        form.meshButton.clicked.connect(self.start)
-        form.stopButton.clicked.connect(self.stop)
-        form.addButton.clicked.connect(self._add_roles)
-        form.removeButton.clicked.connect(self._remove_roles)
+        forms.connect(form.meshButton, "clicked()", self.start)
+        forms.connect(form.stopButton, "clicked()", self.stop)
+        forms.connect(form.addButton, "clicked()", self._add_roles)
+        forms.connect(form.removeButton, "clicked()", self._remove_roles)
 
     def _source_text(self):
         names = []

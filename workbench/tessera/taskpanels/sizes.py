@@ -74,12 +74,12 @@ class SizesForm(QtCore.QObject):
 
     def _connect(self):
         form = self.form
-        self._table.itemChanged.connect(self._on_changed)
-        form.addSizeButton.clicked.connect(self._add_selected)
-        form.addPointButton.clicked.connect(self._add_point)
-        form.addRegionButton.clicked.connect(self._add_region)
-        form.removeSizeButton.clicked.connect(self._remove)
-        form.browseButton.clicked.connect(self._browse)
+        forms.connect(self._table, "itemChanged(QTableWidgetItem*)", self._on_changed)
+        forms.connect(form.addSizeButton, "clicked()", self._add_selected)
+        forms.connect(form.addPointButton, "clicked()", self._add_point)
+        forms.connect(form.addRegionButton, "clicked()", self._add_region)
+        forms.connect(form.removeSizeButton, "clicked()", self._remove)
+        forms.connect(form.browseButton, "clicked()", self._browse)
 
     # Values
 

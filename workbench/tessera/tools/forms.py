@@ -3,14 +3,14 @@
 
 FreeCAD deletes the widgets of a closed panel behind PySide's back: a reference that is left to one,
 by whomever, is taken for whatever new widget comes to lie at its address, with the class of the old
-one.
+one. connect() leaves none, load() copes with those of others.
 """
 
 import gc
 from xml.etree import ElementTree
 
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from tessera.tools import resources
 
@@ -25,8 +25,15 @@ def load(name):
         gc.collect()
         loaded.append(FreeCADGui.PySideUic.loadUi(path))
         if _is_seen_right(loaded[-1], names[1:]):
+            loaded[-1].is_loaded = True
             break
     return loaded[-1]
+
+
+def connect(widget, signal, slot):
+    """As widget.signal.connect(slot), which in PySide2 keeps a reference to a widget of a form for
+    ever. signal: as in Qt's own documentation, such as "clicked()"."""
+    QtCore.QObject.connect(widget, QtCore.SIGNAL(signal), slot)
 
 
 def text_line(spin_box):
@@ -36,13 +43,10 @@ def text_line(spin_box):
 
 def _is_seen_right(form, names):
     """The form and its widgets of these names."""
+    if hasattr(form, "is_loaded"):  # taken for an older form, whose attributes it has
+        return False
     try:
-        return _has_right_class(form) and all(
-            _has_right_class(getattr(form, name))
-            # A form that is taken for an old one has the attributes of that.
-            and getattr(form, name) is form.findChild(QtGui.QWidget, name)
-            for name in names
-        )
+        return _has_right_class(form) and all(_has_right_class(getattr(form, n)) for n in names)
     except (AttributeError, RuntimeError):  # a reference that PySide knows to be to a deleted one
         return False
 

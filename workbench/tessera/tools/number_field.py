@@ -5,7 +5,7 @@ import math
 
 import FreeCAD
 
-from tessera.tools.forms import text_line
+from tessera.tools import forms
 
 
 class NumberField:
@@ -20,9 +20,9 @@ class NumberField:
         self._is_length = is_length
         self._value = self._shown = 0.0
         self._refused = None
-        self._line = text_line(field)
+        self._line = forms.text_line(field)
         if is_length:
-            self._line.textEdited.connect(self._note_typed)
+            forms.connect(self._line, "textEdited(QString)", self._note_typed)
 
     def _note_typed(self, text):
         is_length = length_of(text, self._field.locale()) is not None
