@@ -12,21 +12,12 @@ namespace tessera
 namespace
 {
 
-bool hasCurveWith(const CurveNetwork& network, bool (*wanted)(Role))
-{
-    return std::any_of(network.curves.begin(), network.curves.end(),
-                       [wanted](const NetworkCurve& curve) { return wanted(curve.role); });
-}
-
 std::string whyNothingIsCovered(const RecoveryResult& recovered, const CurveNetwork& network,
                                 const Pslg& pslg, FillRule fill, const ArrangedInput& input)
 {
-    if (!hasCurveWith(network, [](Role role) { return role != Role::Ignored; })) {
+    const auto isUsed = [](const NetworkCurve& curve) { return curve.role != Role::Ignored; };
+    if (std::none_of(network.curves.begin(), network.curves.end(), isUsed)) {
         return "There are no curves; draw closed outlines.";
-    }
-    const auto bounds = [](Role role) { return role == Role::Boundary || role == Role::Outline; };
-    if (fill != FillRule::All && !hasCurveWith(network, bounds)) {
-        return "There are only open curves, which bound nothing; close them.";
     }
     return explainNoInside(recovered, network, pslg, fill, input).what();
 }

@@ -235,7 +235,7 @@ TEST(Overlay, AnEmptyResultSaysWhy)
                  {apart, Difference, "No place is covered by the first operand alone"},
                  {emptyNetwork(2), Union, "There are no curves"},
                  {open, Cells, "2 ends are free"},
-                 {constraint, Union, "only open curves"},
+                 {constraint, Union, "2 ends are free"},
                  {twice, SymmetricDifference, "drawn twice"}};
     for (const auto& c : cases) {
         for (const OverlayForm form : {OverlayForm::Triangles, OverlayForm::Polygons}) {

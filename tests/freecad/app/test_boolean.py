@@ -109,6 +109,7 @@ def in_container(document, kind, sketch, *offset):
     container.addObject(sketch)
     container.Placement.Base = Vector(*offset)
     document.recompute()
+    return container
 
 
 def test_sketches_are_combined_where_the_user_sees_them(document):
@@ -136,6 +137,66 @@ def test_sketches_are_combined_where_the_user_sees_them(document):
     alone = make_boolean([b], "Union")
     document.recompute()
     assert alone.Shape.BoundBox.XMin == pytest.approx(12)
+
+
+@pytest.mark.parametrize("kind", ["App::Part", "PartDesign::Body"])
+def test_it_follows_the_container_of_a_source(document, kind, pair):
+    obj = make_boolean(pair, "Intersection")
+    container = in_container(document, kind, pair[1], 0, 0, 0)
+    assert obj.Shape.Area == pytest.approx(LENS)
+    outer = in_container(document, "App::Part", container, 0, 0, 0)
+    for moved in (container, outer):
+        moved.Placement.Base = Vector(-1, 0, 0)
+        document.recompute()
+        assert obj.Shape.Area == pytest.approx(math.pi)
+        assert document.recompute() == 0, "nothing moved: nothing is computed"
+        moved.Placement.Base = Vector(0, 0, 0)
+        document.recompute()
+        assert obj.Shape.Area == pytest.approx(LENS)
+
+
+def test_in_a_part_it_stays_where_its_sources_are_seen(document, pair):
+    obj = make_boolean(pair, "Union")
+    document.recompute()
+    part = in_container(document, "App::Part", obj, 0, 5, 0)
+    for y in (5, 7):
+        part.Placement.Base = Vector(0, y, 0)
+        document.recompute()
+        seen = obj.Shape.copy()
+        seen.Placement = part.Placement.multiply(seen.Placement)
+        assert seen.BoundBox.YMax == pytest.approx(1, abs=1e-6)
+
+
+def test_what_is_made_from_it_is_refused(document, pair):
+    obj = make_boolean(pair, "Union")
+    other = make_boolean([obj], "Union")
+    document.recompute()
+    for owner, words in ((obj, "its own source"), (other, "which it is made from")):
+        obj.Sources = [(pair[0], [""]), (owner, [""])]
+        document.recompute()
+        assert not obj.isValid()
+        assert words in obj.getStatusString()
+        assert obj.Shape.Area == pytest.approx(AREAS["Union"])
+        obj.Sources = [(sketch, [""]) for sketch in pair]
+        document.recompute()
+        assert obj.isValid() and other.isValid()
+
+
+def test_an_empty_result_is_told(document, pair):
+    pair[1].Placement.Base = Vector(5, 0, 0)
+    document.recompute()
+    obj = make_boolean(pair, "Intersection")
+    document.recompute()
+    assert obj.isValid() and not obj.Shape.Faces
+    assert obj.Messages == ["The result is empty. No place is covered by all 2 operands."]
+    line = sketches.new_sketch(document, "Line")
+    sketches.add_polygon(line, [(0, 0), (1, 0), (1, 1)], closed=False)
+    document.recompute()
+    obj.Sources = [(line, [""])]
+    document.recompute()
+    assert "2 ends are free" in obj.Messages[-1]
+    (text,) = tessera.overlay([Part.Vertex(0, 0, 0)]).union().report["messages"]
+    assert "There are no curves" in text
 
 
 def test_bad_sources_keep_the_shape_and_are_told(document, pair):

@@ -67,7 +67,7 @@ def test_the_format_of_files(document):
         "Regions": "App::PropertyInteger",
         "Crossings": "App::PropertyInteger",
         "Messages": "App::PropertyStringList",
-        "ContainerPlacement": "App::PropertyPlacement",
+        "ContainerPlacements": "App::PropertyPlacementList",
         "MeshRevision": "App::PropertyInteger",
     } == {name: obj.getTypeIdOfProperty(name) for name, *_ in planar_mesh.PROPERTIES}
     assert obj.getEnumerationsOfProperty("Fill") == [
@@ -272,6 +272,29 @@ def test_follows_the_container_when_it_moves(document, kind):
     revision = mesh.MeshRevision
     recompute(mesh)
     assert mesh.MeshRevision == revision  # nothing moved: nothing is meshed
+
+
+@pytest.mark.parametrize("kind", ["App::Part", "PartDesign::Body"])
+def test_follows_the_container_of_a_constraint_when_it_moves(document, kind):
+    container = document.addObject(kind, "Container")
+    line = sketches.new_sketch(document, "Line")
+    sketches.add_polygon(line, [(10, 10), (90, 10)], closed=False)
+    container.addObject(line)
+    document.recompute()
+    mesh = mesh_of(sketches.plate(document), size=10.0)
+    mesh.Constraints = [(line, ["Edge1"])]
+    recompute(mesh)
+
+    def nodes_at(height):
+        return [n for n in mesh.FemMesh.Nodes.values() if abs(n.y - height) < 1e-9 and 11 < n.x < 89]
+
+    assert len(nodes_at(10)) >= 5
+    container.Placement = FreeCAD.Placement(Vector(0, -3, 0), FreeCAD.Rotation())
+    recompute(mesh)
+    assert len(nodes_at(7)) >= 5 > len(nodes_at(10))
+    revision = mesh.MeshRevision
+    recompute(mesh)
+    assert mesh.MeshRevision == revision
 
 
 def test_size_is_chosen_from_the_source(document):

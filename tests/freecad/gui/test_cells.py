@@ -196,6 +196,84 @@ def test_what_is_wrong_is_told_and_selected(document, pair):
     assert not booleans(document)
 
 
+def no_traceback():
+    view = window.main_window().findChild(QtGui.QTextEdit, "Report view")
+    return "Traceback" not in view.toPlainText()
+
+
+def test_the_document_is_closed_under_the_panel(document, pair):
+    panel = open_panel("Boolean of sketches", *pair)
+    name = document.Name
+    FreeCAD.closeDocument(name)
+    window.wait(0.3)
+    if CellPanel.find() is not None:  # FreeCAD may have closed it
+        panel.choose_operation("Union")
+        assert "has been closed" in panel.message
+        panel.press("Cancel")
+    assert CellPanel.find() is None
+    assert no_traceback()
+    made = FreeCAD.newDocument(name)
+    again = [circle(made, "Left", 0), circle(made, "Right", 1)]
+    assert len(open_panel("Boolean of sketches", *again).rows()) == 3
+
+
+def test_a_source_is_deleted_under_the_panel(document, pair):
+    panel = open_panel("Boolean of sketches", *pair)
+    document.removeObject("Right")
+    panel.press("Ok")
+    assert "Right has been deleted" in panel.message
+    assert panel.rows() == [("Left", True)] and not booleans(document)
+    document.removeObject("Left")
+    panel.choose_operation("Union")
+    assert "Left has been deleted" in panel.message and "no source" in panel.message
+    panel.press("Cancel")
+    assert CellPanel.find() is None
+    assert no_traceback()
+
+
+def test_what_is_edited_is_no_source_of_itself_and_may_be_deleted(document, pair):
+    panel = open_panel("Boolean of sketches", *pair)
+    panel.press("Ok")
+    (obj,) = booleans(document)
+    assert obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+    panel = CellPanel()
+    window.select(obj)
+    panel.widget("sourceAdd").click()
+    assert "cannot be its own source" in panel.message
+    panel.press("Ok")
+    assert CellPanel.find() is not None
+    assert obj not in obj.OutList and obj.isValid()
+    document.removeObject(obj.Name)
+    window.wait(0.3)
+    if CellPanel.find() is not None:  # FreeCAD may have closed it
+        panel.press("Ok")
+        assert "has been deleted" in panel.message
+        panel.press("Cancel")
+    assert CellPanel.find() is None and not booleans(document)
+    assert no_traceback()
+
+
+def test_lost_cells_and_empty_results_are_told(document, pair):
+    panel = open_panel("Boolean of sketches", *pair)
+    for row, (text, _) in enumerate(panel.rows()):
+        panel.keep(row, text == "Left + Right")
+    panel.press("Ok")
+    (obj,) = booleans(document)
+    assert obj.KeptCellCovers == ["Left+Right"]
+    pair[1].Placement.Base = Vector(7, 0, 0)
+    document.recompute()
+    assert not obj.isValid() and obj.Shape.Area == pytest.approx(LENS)
+    assert obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+    panel = CellPanel()
+    assert "kept cell of Left + Right is lost" in panel.message
+    panel.choose_operation("Intersection")
+    assert "The result is empty" in panel.message
+    panel.choose_operation("Cells")
+    panel.press("Ok")
+    assert obj.isValid() and not obj.KeptCells
+    assert obj.Shape.Area == pytest.approx(2 * math.pi)
+
+
 def imprinted(document):
     return [obj for obj in document.Objects if obj.Name.startswith("ImprintedFaces")]
 

@@ -9,7 +9,7 @@ import Part
 
 import tessera
 from tessera.objects.face_feature import NORMAL, READ_ONLY, FaceFeature, make_feature
-from tessera.tools import cells
+from tessera.tools import cells, kept_cells
 from tessera.tools.request import FILLS
 
 translate = FreeCAD.Qt.translate
@@ -32,6 +32,7 @@ class Boolean(FaceFeature):
     """Proxy of the document object."""
 
     Type = "Tessera::Boolean"
+    MEANING = ("Operation", "Priority", "Fill")
     PROPERTIES = (
         (
             "Sources",
@@ -103,14 +104,31 @@ class Boolean(FaceFeature):
     def compute(self, obj):
         items = cells.items_of(obj.Sources)
         polygons = combine(items, obj.Operation, obj.Priority, obj.Fill, obj.Weld.Value)
-        numbers = cells.kept([polygon.rings for polygon in polygons], obj.KeptCells)
+        numbers, warnings = self.kept(obj, cells_of(polygons, items), labels_of(items))
         faces = polygons.to_faces()
-        obj.Shape = shape = Part.Compound([faces[number] for number in numbers])
+        obj.Shape = Part.Compound([faces[number] for number in numbers])
         obj.Cells = len(polygons)
-        obj.Area = sum((face.Area for face in shape.Faces), 0.0)
+        obj.Area = sum((face.Area for face in obj.Shape.Faces), 0.0)
         obj.FaceCells = numbers
         obj.CellSources = ["+".join(str(o + 1) for o in polygons[n].operands) for n in numbers]
-        obj.Messages = polygons.report["messages"]
+        if numbers:
+            self.tell(obj, warnings, polygons.report["messages"])
+        else:
+            self.tell(obj, polygons.report["messages"], [])
+
+
+def cells_of(polygons, items):
+    """The polygons of combine() as cells to be found again."""
+    names = [cells.name_of(item) for item in items]
+    return [
+        kept_cells.Cell(polygon.rings, kept_cells.cover(names[o] for o in polygon.operands))
+        for polygon in polygons
+    ]
+
+
+def labels_of(items):
+    """What the user calls the names in the covers of cells_of()."""
+    return {cells.name_of(item): cells.label_of(item) for item in items}
 
 
 def combine(items, operation, priority="None", fill="Even-odd", weld=0.0):

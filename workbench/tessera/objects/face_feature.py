@@ -3,10 +3,19 @@
 
 import FreeCAD
 
-import tessera
-from tessera.tools.plain_errors import RecomputeError, raising
+from tessera.errors import InvalidInputError
+from tessera.tools import kept_cells
+from tessera.tools.links import (
+    CONTAINER_PLACEMENTS,
+    containers_moved,
+    note_containers,
+    refuse_cycle,
+    stay_in_space,
+)
+from tessera.tools.plain_errors import recomputing
 from tessera.tools.stateless import Stateless
 
+translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 NORMAL, READ_ONLY, HIDDEN = 0, 1, 1 | 4
@@ -23,6 +32,16 @@ RESULTS = (
         ),
         None,
         NORMAL,
+    ),
+    (
+        "KeptCellCovers",
+        "App::PropertyStringList",
+        "Cells",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "By point of KeptCells: the sources that cover the cell it stands for"
+        ),
+        None,
+        READ_ONLY,
     ),
     (
         "Cells",
@@ -56,31 +75,65 @@ RESULTS = (
         None,
         HIDDEN,
     ),
+    CONTAINER_PLACEMENTS,
 )
 
 
 class FaceFeature(Stateless):
     """Base of the proxies. A subclass has Type, PROPERTIES, view_provider() and compute(obj), which
-    sets the object's shape and results and may raise tessera.Error."""
+    sets the object's results with the help of kept() and tell(), and may raise tessera.Error. MEANING: properties
+    that change what a cell is."""
 
     PROPERTIES = ()
+    MEANING = ()
 
     def __init__(self, obj):
         obj.Proxy = self
         self.add_properties(obj)
 
+    def mustExecute(self, obj):
+        """Asked by FreeCAD at every recompute: moving the part that contains a source does not touch
+        the source."""
+        return containers_moved(obj, counts_itself=True)
+
     @property
     def execute(self):
-        """Called by FreeCAD, with the object, to recompute. An exception marks the object; its shape
-        stays, and FreeCAD shows the message where the user looks for it."""
-        return raising(self._recompute)
+        """Called by FreeCAD, with the object, to recompute; after an error its shape stays."""
+        return recomputing(self._recompute)
 
     def _recompute(self, obj):
-        try:
-            self.compute(obj)
-        except (tessera.Error, ImportError) as error:
-            return RecomputeError(f"{obj.Label}: {error}")
-        return None
+        refuse_cycle(obj, obj.OutList)
+        self.compute(obj)
+        stay_in_space(obj)
+        note_containers(obj, counts_itself=True)
+
+    def onChanged(self, obj, name):
+        """Called by FreeCAD after each change of a property, also by undo and redo."""
+        if name not in ("KeptCells", *self.MEANING):
+            return
+        if obj.Document.Restoring or obj.Document.Transacting:
+            return
+        if getattr(obj, "KeptCellCovers", None):
+            obj.KeptCellCovers = []
+
+    @staticmethod
+    def kept(obj, found_cells, labels):
+        """Numbers of the cells that the object keeps, and messages; notes what covers them."""
+        kept = kept_cells.read(obj.KeptCells, obj.KeptCellCovers)
+        found = kept_cells.find(found_cells, kept, labels)
+        if found.are_lost:
+            raise InvalidInputError(" ".join(found.messages))
+        covers = [one.text for one in found.kept]
+        if covers != obj.KeptCellCovers:
+            obj.KeptCellCovers = covers
+        return found.numbers, found.messages
+
+    @staticmethod
+    def tell(obj, warnings, messages):
+        """Sets the messages; warnings stand in FreeCAD's report view as well."""
+        obj.Messages = [*warnings, *messages]
+        for text in warnings:
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {text}\n")
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)

@@ -10,7 +10,7 @@ import Part
 import tessera
 from tessera.objects.boolean import FILL_RULES
 from tessera.objects.face_feature import NORMAL, READ_ONLY, FaceFeature, make_feature
-from tessera.tools import cells
+from tessera.tools import cells, kept_cells
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -21,6 +21,7 @@ class ImprintedFaces(FaceFeature):
     targets, each in pieces on its own plane."""
 
     Type = "Tessera::ImprintedFaces"
+    MEANING = ("Fill",)
     PROPERTIES = (
         (
             "Sources",
@@ -99,14 +100,11 @@ class ImprintedFaces(FaceFeature):
         return ViewProviderImprintedFaces
 
     def compute(self, obj):
-        result = imprint_items(
-            cells.items_of(obj.Sources),
-            cells.items_of(obj.Targets),
-            obj.Direction,
-            obj.Tolerance.Value,
-            obj.Fill,
-        )
-        numbers = set(cells.kept([cell.rings for cell in result.cells], obj.KeptCells))
+        sources, targets = cells.items_of(obj.Sources), cells.items_of(obj.Targets)
+        result = imprint_items(sources, targets, obj.Direction, obj.Tolerance.Value, obj.Fill)
+        found, labels = cells_of(result, sources, targets)
+        numbers, warnings = self.kept(obj, found, labels)
+        numbers = set(numbers)
         sides = []
         flat = []
         for side, faces in (
@@ -129,7 +127,29 @@ class ImprintedFaces(FaceFeature):
         obj.History = [history_text(result, number) for number in range(len(result.cells))]
         obj.ClosedPlaces = [place_text(place) for place in result.closed]
         obj.LeftPlaces = [place_text(place) for place in result.left]
-        obj.Messages = result.messages
+        self.tell(obj, warnings, result.messages)
+
+
+def cells_of(result, sources, targets):
+    """The cells of a tessera.Imprint as cells to be found again, and what the user calls the names in
+    their covers."""
+    sides = (result.sources, sources), (result.targets, targets)
+    names = [
+        [cells.name_of(items[one.item], one.face) for one in own] for own, items in sides
+    ]
+    found = [
+        kept_cells.Cell(
+            cell.rings,
+            kept_cells.cover(
+                [names[0][s] for s in cell.sources], [names[1][t] for t in cell.targets]
+            ),
+        )
+        for cell in result.cells
+    ]
+    labels = {
+        name: one.name for (own, _), side in zip(sides, names) for name, one in zip(side, own)
+    }
+    return found, labels
 
 
 def imprint_items(sources, targets, direction=None, tolerance=0.0, fill="Even-odd"):

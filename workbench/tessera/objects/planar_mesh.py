@@ -6,7 +6,6 @@ The class path and the property names are stored in users' files: they never cha
 
 import FreeCAD
 
-import tessera
 from tessera.objects.size_properties import (
     SIZE_PROPERTIES,
     apply_local_sizes,
@@ -14,9 +13,10 @@ from tessera.objects.size_properties import (
     links_to,
     local_sizes_of,
 )
-from tessera.shapes import container_placement, same_place
+from tessera.shapes import container_placement
+from tessera.tools.links import CONTAINER_PLACEMENTS, containers_moved, note_containers
 from tessera.tools.mesh_history import MeshHistory
-from tessera.tools.plain_errors import RecomputeError, raising
+from tessera.tools.plain_errors import recomputing
 from tessera.tools.progress import RecomputeProgress
 from tessera.tools.request import FILLS, MeshRequest, default_size
 from tessera.tools.stateless import Stateless
@@ -189,16 +189,7 @@ PROPERTIES = (
         None,
         _READ_ONLY,
     ),
-    (
-        "ContainerPlacement",
-        "App::PropertyPlacement",
-        "Result",
-        QT_TRANSLATE_NOOP(
-            "App::Property", "Where the body or part of Source was when it was meshed"
-        ),
-        None,
-        _HIDDEN,
-    ),
+    CONTAINER_PLACEMENTS,
     (
         "MeshRevision",
         "App::PropertyInteger",
@@ -230,32 +221,23 @@ class PlanarMesh(Stateless):
         self._offered = (request, mesh)
 
     def mustExecute(self, obj):
-        """Asked by FreeCAD at every recompute: moving the part that contains the source does not
-        touch the source."""
-        return (
-            obj.Source is not None
-            and obj.MeshRevision > 0
-            and not same_place(container_placement(obj.Source), obj.ContainerPlacement)
-        )
+        """Asked by FreeCAD at every recompute: moving the part that contains the source, or curves
+        that are kept, does not touch them."""
+        return containers_moved(obj)
 
     @property
     def execute(self):
-        """Called by FreeCAD, with the object, to recompute. An exception marks the object; its mesh
-        stays, and FreeCAD shows the message where the user looks for it."""
-        return raising(self._recompute)
+        """Called by FreeCAD, with the object, to recompute; after an error its mesh stays."""
+        return recomputing(self._recompute)
 
     def _recompute(self, obj):
-        try:
-            request = request_of(obj)
-            offered, self._offered = self.__dict__.get("_offered"), None
-            if offered is not None and offered[0] == request:
-                mesh = offered[1]
-            else:
-                mesh = self._mesh(obj, request)
-            self._publish(obj, request, mesh)
-        except (tessera.Error, ImportError) as error:
-            return RecomputeError(f"{obj.Label}: {error}")
-        return None
+        request = request_of(obj)
+        offered, self._offered = self.__dict__.get("_offered"), None
+        if offered is not None and offered[0] == request:
+            mesh = offered[1]
+        else:
+            mesh = self._mesh(obj, request)
+        self._publish(obj, request, mesh)
 
     def _mesh(self, obj, request):
         with RecomputeProgress(translate("Tessera", "Meshing {}").format(obj.Label)) as progress:
@@ -263,7 +245,8 @@ class PlanarMesh(Stateless):
 
     def _publish(self, obj, request, mesh):
         fem = mesh.to_fem()
-        obj.ContainerPlacement = container = container_placement(request.source)
+        note_containers(obj)
+        container = container_placement(request.source)
         if not container.isIdentity():
             fem.transformGeometry(container.toMatrix())
         if obj.MeshRevision not in self.history:

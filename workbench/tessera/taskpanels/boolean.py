@@ -2,11 +2,11 @@
 """The task panel of Booleans."""
 
 import FreeCAD
-import numpy as np
 
 from tessera.objects import boolean
-from tessera.taskpanels.cells import CellsPanel, PreviewCell, SourceList
+from tessera.taskpanels.cells import CellsPanel, Preview, PreviewCell, fill_combo
 from tessera.tools import forms
+from tessera.tools.number_field import NumberField
 
 translate = FreeCAD.Qt.translate
 
@@ -14,86 +14,65 @@ translate = FreeCAD.Qt.translate
 class BooleanPanel(CellsPanel):
     """Which sources, which operation, which of its cells."""
 
-    TITLE = translate("Tessera", "Boolean of sketches")
+    FORM = "boolean"
     ICON = "tessera_boolean"
-    OBJECT_NAME = "TesseraBoolean"
     UNDO_TEXT = translate("Tessera", "Boolean of sketches")
+    LISTS = ("source",)
 
     def __init__(self, links, obj=None):
-        self.placement = np.eye(4)
         super().__init__((obj or links[0][0]).Document, obj)
+        self._sources = self._lists[0]
         self._sources.set(links)
-        if obj is not None:
-            self._operation.setCurrentIndex(self._operation.findData(obj.Operation))
-            self._priority.setCurrentIndex(self._priority.findData(obj.Priority))
-            self._fill.setCurrentIndex(self._fill.findData(obj.Fill))
-            self.set_length(self._weld, obj.Weld.Value)
-            self._points = list(obj.KeptCells)
-        else:
-            self._operation.setCurrentIndex(self._operation.findData("Cells"))
-        for field in (self._operation, self._priority, self._fill):
-            field.currentIndexChanged.connect(self._on_changed)
-        forms.connect(self._weld, "valueChanged(double)", self._on_changed)
-        self._on_changed()
+        form = self.form
+        fills = [(name, name) for name in boolean.FILL_RULES]
+        fill_combo(form.operationField, _operation_texts(), obj.Operation if obj else "Cells")
+        fill_combo(form.priorityField, _priority_texts(), obj.Priority if obj else "None")
+        fill_combo(form.fillField, fills, obj.Fill if obj else "Even-odd")
+        self._weld = NumberField(form.weldField)
+        self._weld.set(obj.Weld.Value if obj else 0.0)
+        for field in (form.operationField, form.priorityField, form.fillField):
+            forms.connect(field, "currentIndexChanged(int)", self.update)
+        forms.connect(form.weldField, "valueChanged(double)", self.update)
+        self.update()
 
     @classmethod
     def of_object(cls, obj):
         return cls(obj.Sources, obj)
 
-    def fields(self, layout):
-        self._sources = SourceList(
-            "source", translate("Tessera", "Sources, the first one first"), self._on_changed
-        )
-        layout.addWidget(self._sources.box)
-        form = self.form_layout()
-        self._operation = self.combo("operationField", _operation_texts())
-        self._priority = self.combo("priorityField", _priority_texts())
-        self._fill = self.combo("fillField", [(name, name) for name in boolean.FILL_RULES])
-        self._weld = self.length_field("weldField")
-        form.addRow(translate("Tessera", "Operation"), self._operation)
-        form.addRow(translate("Tessera", "Overlaps belong to"), self._priority)
-        form.addRow(translate("Tessera", "Fill"), self._fill)
-        form.addRow(translate("Tessera", "Weld"), self._weld)
-        layout.addLayout(form)
-
-    def _on_changed(self, *_):
-        self._priority.setEnabled(self._operation.currentData() == "Union")
-        self.update()
-
-    def links(self):
-        return self._sources.links
+    def update(self, *_):
+        self.form.priorityField.setEnabled(self.form.operationField.currentData() == "Union")
+        return super().update()
 
     def values(self):
         return {
             "Sources": self._sources.values(),
-            "Operation": self._operation.currentData(),
-            "Priority": self._priority.currentData(),
-            "Fill": self._fill.currentData(),
-            "Weld": self.length_of(self._weld),
+            "Operation": self.form.operationField.currentData(),
+            "Priority": self.form.priorityField.currentData(),
+            "Fill": self.form.fillField.currentData(),
+            "Weld": self._weld.get(),
         }
 
-    def preview_cells(self):
-        values = self.values()
+    def meaning(self):
+        form = self.form
+        fields = (form.operationField, form.priorityField, form.fillField)
+        return tuple(field.currentData() for field in fields)
+
+    def preview(self, values):
+        items = self._sources.items()
         polygons = boolean.combine(
-            self._sources.items(),
-            values["Operation"],
-            values["Priority"],
-            values["Fill"],
-            values["Weld"],
+            items, values["Operation"], values["Priority"], values["Fill"], values["Weld"]
         )
-        self.placement = polygons.placement
         labels = [owner.Label for owner, _ in self._sources.links]
-        whole = self._operation.currentText()
+        whole = self.form.operationField.currentText()
         found = [
-            PreviewCell(
-                " + ".join(labels[o] for o in polygon.operands) or whole,
-                face.Area,
-                [face],
-                polygon.rings,
+            PreviewCell(" + ".join(labels[o] for o in polygon.operands) or whole, face.Area,
+                        [face], cell)
+            for polygon, face, cell in zip(
+                polygons, polygons.to_faces(), boolean.cells_of(polygons, items)
             )
-            for polygon, face in zip(polygons, polygons.to_faces())
         ]
-        return found, polygons.report["messages"]
+        messages = polygons.report["messages"]
+        return Preview(found, polygons.placement, boolean.labels_of(items), messages)
 
     def make(self, values):
         sources = values.pop("Sources")

@@ -5,7 +5,7 @@ cells by color, and picking of the cells to keep, in a list or in the 3D view.
 Nothing enters the document before OK, which is one step of undo.
 """
 
-from typing import Any, List, NamedTuple
+from typing import Any, Dict, List, NamedTuple
 
 import FreeCAD
 import FreeCADGui
@@ -13,10 +13,12 @@ from PySide import QtCore, QtGui
 
 import tessera
 from tessera.objects.face_feature import apply_values
+from tessera.taskpanels.source_list import SourceList, is_deleted
 from tessera.taskpanels.task_panel import TaskPanel
-from tessera.tools import cells, resources
+from tessera.tools import cells, forms, kept_cells, resources
 from tessera.tools.cell_preview import CellPreview
-from tessera.tools.selection import select_places, selected_sources
+from tessera.tools.links import refuse_cycle
+from tessera.tools.selection import select_places
 
 translate = FreeCAD.Qt.translate
 
@@ -30,206 +32,135 @@ class PreviewCell(NamedTuple):
     text: str  #: what covers it
     area: float
     faces: List[Any]  #: Part faces, where it is drawn
-    rings: Any  #: in the frame of the plane
+    cell: kept_cells.Cell
 
 
-class SourceList:
-    """A list of sources with buttons that add what is selected and remove what is marked."""
+class Preview(NamedTuple):
+    """What the panel shows."""
 
-    def __init__(self, name, title, changed):
-        self.links = []
-        self._changed = changed
-        self.box = QtGui.QGroupBox(title)
-        self.list = QtGui.QListWidget()
-        self.list.setObjectName(f"{name}List")
-        self.list.setMaximumHeight(90)
-        narrow(self.list)
-        self.list.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
-        add = QtGui.QPushButton(translate("Tessera", "Add selected"))
-        add.setObjectName(f"{name}Add")
-        remove = QtGui.QPushButton(translate("Tessera", "Remove"))
-        remove.setObjectName(f"{name}Remove")
-        layout = QtGui.QGridLayout(self.box)
-        layout.addWidget(self.list, 0, 0, 1, 2)
-        narrow(add)
-        narrow(remove)
-        layout.addWidget(add, 1, 0)
-        layout.addWidget(remove, 1, 1)
-        add.clicked.connect(self._add)
-        remove.clicked.connect(self._remove)
+    cells: List[PreviewCell]
+    placement: Any  #: 4 x 4, from the frame of the plane to space
+    labels: Dict[str, str]  #: what the user calls the names in the covers of cells
+    messages: List[str]
 
-    def set(self, links):
-        """links: [(object, names of faces)]; those of one object are joined."""
-        joined = {}
-        for owner, names in links:
-            joined.setdefault(owner, []).extend(name for name in names if name)
-        self.links = [(owner, tuple(dict.fromkeys(names))) for owner, names in joined.items()]
-        self.list.clear()
-        for owner, names in self.links:
-            self.list.addItem(f"{owner.Label}: {', '.join(names)}" if names else owner.Label)
 
-    def values(self):
-        """As a property takes them."""
-        return [(owner, list(names) or [""]) for owner, names in self.links]
-
-    def items(self):
-        return cells.items_of(self.links)
-
-    def _add(self):
-        self.set([*self.links, *selected_sources()])
-        self._changed()
-
-    def _remove(self):
-        rows = {index.row() for index in self.list.selectedIndexes()}
-        self.set([link for row, link in enumerate(self.links) if row not in rows])
-        self._changed()
+_NOTHING = Preview([], None, {}, [])
 
 
 class CellsPanel(TaskPanel):
-    """Task panel in FreeCAD's sense: form, accept, reject, getStandardButtons. A subclass has
-    fields(layout), values(), preview_cells() and make(values)."""
+    """Task panel in FreeCAD's sense: form, accept, reject, getStandardButtons. A subclass has values(),
+    preview(values), make(values) and meaning(), whose change makes other cells of all."""
 
-    TITLE = ""
+    FORM = ""
     ICON = ""
-    OBJECT_NAME = ""
     UNDO_TEXT = ""
+    LISTS = ()
 
     def __init__(self, document, obj=None):
         self._document_name = document.Name
         self._edited = obj
-        self._cells = []
+        self._shown = _NOTHING
         self._kept = set()
-        self._points = []  #: of a stored selection, until the cells are there
-        self._listing = False
-        self.form = QtGui.QWidget()
-        self.form.setObjectName(self.OBJECT_NAME)
-        self.form.setWindowTitle(self.TITLE)
-        self.form.setWindowIcon(QtGui.QIcon(resources.icon(self.ICON)))
-        self._preview = CellPreview(self.toggle)
-        layout = QtGui.QVBoxLayout(self.form)
-        self.fields(layout)
-        self._add_table(layout)
-        self._add_message(layout)
-
-    # Form
-
-    def _add_table(self, layout):
-        box = QtGui.QGroupBox(translate("Tessera", "Cells to keep"))
-        inner = QtGui.QVBoxLayout(box)
-        self.table = QtGui.QTableWidget(0, 1)
-        self.table.setObjectName("cellTable")
-        self.table.setMinimumHeight(170)
-        narrow(self.table)
-        self.table.horizontalHeader().setVisible(False)
-        self.table.setToolTip(
-            translate("Tessera", "Which cells are kept; a click in the 3D view changes it too.")
+        #: To be found among the next cells.
+        self._remembered = (
+            [] if obj is None else kept_cells.read(obj.KeptCells, obj.KeptCellCovers)
         )
-        self.table.horizontalHeader().setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
-        self.table.verticalHeader().setVisible(False)
-        self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
-        self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
-        self.table.itemChanged.connect(self._on_item)
-        self.table.itemSelectionChanged.connect(self._paint)
-        inner.addWidget(self.table)
-        buttons = QtGui.QHBoxLayout()
-        for name, text, slot in (
-            ("keepAll", translate("Tessera", "All"), self._keep_all),
-            ("keepNone", translate("Tessera", "None"), self._keep_none),
-        ):
-            button = QtGui.QPushButton(text)
-            button.setObjectName(name)
-            narrow(button)
-            button.clicked.connect(slot)
-            buttons.addWidget(button)
-        inner.addLayout(buttons)
-        layout.addWidget(box, 1)
+        self._meant = None
+        self._listing = False
+        self._summary = ""
+        self.form = forms.load(self.FORM)
+        self.form.setWindowIcon(QtGui.QIcon(resources.icon(self.ICON)))
+        self._cells_form = forms.load("cells")
+        self.form.layout().addWidget(self._cells_form, 1)
+        self._lists = [SourceList(self.form, stem, self.update) for stem in self.LISTS]
+        self._table = self._cells_form.cellTable
+        forms.connect(self._table, "itemChanged(QTableWidgetItem*)", self._on_item)
+        forms.connect(self._table, "itemSelectionChanged()", self._paint)
+        forms.connect(self._cells_form.keepAll, "clicked()", self._keep_all)
+        forms.connect(self._cells_form.keepNone, "clicked()", self._keep_none)
+        self._preview = CellPreview(self.toggle)
 
-    @staticmethod
-    def form_layout():
-        form = QtGui.QFormLayout()
-        form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
-        form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
-        return form
-
-    def _add_message(self, layout):
-        row = QtGui.QHBoxLayout()
-        self._message_icon = QtGui.QLabel()
-        self.message = QtGui.QLabel()
-        self.message.setObjectName("message")
-        self.message.setWordWrap(True)
-        self.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        row.addWidget(self._message_icon, 0, QtCore.Qt.AlignTop)
-        row.addWidget(self.message, 1)
-        layout.addLayout(row)
-
-    @staticmethod
-    def combo(name, choices):
-        """choices: [(value, text)]."""
-        field = QtGui.QComboBox()
-        narrow(field)
-        field.setObjectName(name)
-        for value, text in choices:
-            field.addItem(text, value)
-        return field
-
-    @staticmethod
-    def length_field(name):
-        field = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        narrow(field)
-        field.setObjectName(name)
-        field.setProperty("unit", "mm")
-        field.setProperty("minimum", 0.0)
-        return field
-
-    @staticmethod
-    def set_length(field, value):
-        field.setProperty("value", FreeCAD.Units.Quantity(value, FreeCAD.Units.Length))
-
-    @staticmethod
-    def length_of(field):
-        return float(field.property("rawValue"))
+    @property
+    def links(self):
+        """[(object, names of faces)] of all lists."""
+        return [link for one in self._lists for link in one.links]
 
     # Preview
 
-    def update(self):
+    def update(self, *_):
         """Computes the cells anew; errors are told, and the geometry that they are about is
-        selected. True if there are cells to show."""
+        selected. True if there are cells to show, and the user has seen what became of those that
+        were kept."""
+        kept = self._picks()
+        if self._document_name not in FreeCAD.listDocuments():
+            text = translate("Tessera", "The document has been closed; close the panel.")
+            return self._fail(kept, text)
+        if self._edited is not None and is_deleted(self._edited):
+            text = translate("Tessera", "What is edited here has been deleted; close the panel.")
+            return self._fail(kept, text)
+        deleted = translate("Tessera", "{} has been deleted, and left the list.")
+        news = [deleted.format(label) for one in self._lists for label in one.drop_deleted()]
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
-            found, messages = self.preview_cells()
+            if self._edited is not None:
+                refuse_cycle(self._edited, [owner for owner, _ in self.links])
+            preview = self.preview(self.values())
         except tessera.Error as error:
-            self._show([])
-            self._tell(str(error), _CRITICAL)
+            self._fail(kept, " ".join([*news, str(error)]))
             self._select(error)
             return False
-        except (ImportError, ReferenceError) as error:
-            self._show([])
-            self._tell(str(error), _CRITICAL)
-            return False
+        except ImportError as error:
+            return self._fail(kept, str(error))
+        except ValueError as error:
+            text = translate("Tessera", "'{}' cannot be used here; give a number, such as 2 mm.")
+            return self._fail(kept, text.format(error))
         finally:
             QtGui.QApplication.restoreOverrideCursor()
-        self._show(found)
-        number = len(found)
-        text = translate("Tessera", "{} cells").format(number) if number != 1 else \
+        meaning = self.meaning()
+        if self._meant not in (None, meaning):
+            kept = [kept_cells.Kept(one.point) for one in kept]
+        self._meant = meaning
+        self._remembered = kept
+        found = kept_cells.find([cell.cell for cell in preview.cells], kept, preview.labels)
+        news += found.messages
+        everything = range(len(preview.cells))
+        self._show(preview, set(everything if found.are_lost else found.numbers))
+        count = len(preview.cells)
+        text = translate("Tessera", "{} cells").format(count) if count != 1 else \
             translate("Tessera", "1 cell")
-        self._tell("\n".join([text, *messages]), _INFORMATION)
-        return True
+        self._summary = "\n".join([text, *news, *preview.messages])
+        self._tell(self._summary, _INFORMATION)
+        return not news
 
-    def _show(self, found):
-        points = self._points or self._kept_points()
-        self._cells = found
-        self._kept = set(cells.kept([cell.rings for cell in found], points))
-        if not self._kept:
-            self._kept = set(range(len(found)))
-        self._points = []
-        self._preview.show([cell.faces for cell in found])
+    def _fail(self, kept, text):
+        self._show(_NOTHING, set())
+        self._remembered = kept
+        self._tell(text, _CRITICAL)
+        return False
+
+    def _picks(self):
+        """The kept cells, to be found again; none if all are kept."""
+        if not self._shown.cells:
+            return self._remembered
+        return kept_cells.remember(
+            [cell.cell for cell in self._shown.cells],
+            self._kept,
+            lambda number: kept_cells.inside_point(
+                self._shown.cells[number].faces[0], self._shown.placement
+            ),
+        )
+
+    def _show(self, preview, kept):
+        self._shown = preview
+        self._kept = kept
+        self._preview.show([cell.faces for cell in preview.cells])
         self._list_cells()
         self._paint()
 
     def _list_cells(self):
         self._listing = True
-        self.table.setRowCount(len(self._cells))
-        for row, cell in enumerate(self._cells):
+        self._table.setRowCount(len(self._shown.cells))
+        for row, cell in enumerate(self._shown.cells):
             area = FreeCAD.Units.Quantity(cell.area, FreeCAD.Units.Area).UserString
             item = QtGui.QTableWidgetItem(f"{cell.text}\n{area}")
             item.setFlags(
@@ -241,8 +172,8 @@ class CellsPanel(TaskPanel):
             swatch = QtGui.QPixmap(12, 12)
             swatch.fill(QtGui.QColor.fromRgbF(*cells.color(row)))
             item.setIcon(QtGui.QIcon(swatch))
-            self.table.setItem(row, 0, item)
-        self.table.resizeRowsToContents()
+            self._table.setItem(row, 0, item)
+        self._table.resizeRowsToContents()
         self._listing = False
 
     def _on_item(self, item):
@@ -252,39 +183,34 @@ class CellsPanel(TaskPanel):
             self._kept.add(item.row())
         else:
             self._kept.discard(item.row())
+        self._tell(self._summary, _INFORMATION)
         self._paint()
 
     def toggle(self, number):
         """The user clicked on a cell in the 3D view."""
-        self.table.item(number, 0).setCheckState(_check(number not in self._kept))
+        self._table.item(number, 0).setCheckState(_check(number not in self._kept))
 
     def _keep_all(self):
-        for row in range(len(self._cells)):
-            self.table.item(row, 0).setCheckState(QtCore.Qt.Checked)
+        self._keep(True)
 
     def _keep_none(self):
-        for row in range(len(self._cells)):
-            self.table.item(row, 0).setCheckState(QtCore.Qt.Unchecked)
+        self._keep(False)
+
+    def _keep(self, on):
+        for row in range(len(self._shown.cells)):
+            self._table.item(row, 0).setCheckState(_check(on))
 
     def _paint(self):
-        marked = {index.row() for index in self.table.selectedIndexes()}
+        marked = {index.row() for index in self._table.selectedIndexes()}
         self._preview.paint(self._kept, marked)
 
-    def _kept_points(self):
-        """Points that find the kept cells again; none if all are kept."""
-        if len(self._kept) == len(self._cells):
-            return []
-        return [
-            cells.inside_point(self._cells[number].faces[0], self.placement)
-            for number in sorted(self._kept)
-        ]
-
     def _tell(self, text, kind):
-        self._message_icon.setPixmap(self.form.style().standardIcon(kind).pixmap(16, 16))
-        self.message.setText(text)
+        icon = self.form.style().standardIcon(kind)
+        self._cells_form.messageIcon.setPixmap(icon.pixmap(16, 16))
+        self._cells_form.message.setText(text)
 
     def _select(self, error):
-        owners = [owner for owner, _ in self.links()]
+        owners = [owner for owner, _ in self.links]
         places = [place for place in error.places if place.source is not None]
         if places and places[0].source < len(owners):
             number = places[0].source
@@ -297,13 +223,18 @@ class CellsPanel(TaskPanel):
         if self._document_name not in FreeCAD.listDocuments():
             self._preview.close()
             return True
-        if self._cells and not self._kept:
+        if self._shown.cells and not self._kept:
             self._tell(translate("Tessera", "Keep one cell at least."), _CRITICAL)
             return False
         if not self.update():
             return False
         document = FreeCAD.getDocument(self._document_name)
-        values = {**self.values(), "KeptCells": self._kept_points()}
+        kept = self._picks()
+        values = {
+            **self.values(),
+            "KeptCells": [one.point for one in kept],
+            "KeptCellCovers": [one.text for one in kept],
+        }
         document.openTransaction(self.UNDO_TEXT)
         obj = self._edited
         if obj is None:
@@ -316,7 +247,7 @@ class CellsPanel(TaskPanel):
             document.abortTransaction()
             self._tell(text, _CRITICAL)
             return False
-        for owner, _ in self.links():
+        for owner, _ in self.links:
             if self._edited is None and owner.ViewObject is not None:
                 owner.ViewObject.Visibility = False
         document.commitTransaction()
@@ -336,12 +267,11 @@ class CellsPanel(TaskPanel):
                 document.resetEdit()
 
 
-def narrow(widget):
-    """Lets the widget be as narrow as the task view is."""
-    policy = widget.sizePolicy()
-    policy.setHorizontalPolicy(QtGui.QSizePolicy.Ignored)
-    widget.setSizePolicy(policy)
-    widget.setMinimumWidth(60)
+def fill_combo(combo, choices, value):
+    """choices: [(value, text)]; value: the one that is shown."""
+    for key, text in choices:
+        combo.addItem(text, key)
+    combo.setCurrentIndex(combo.findData(value))
 
 
 def _check(on):

@@ -2,12 +2,11 @@
 """The task panel of imprints."""
 
 import FreeCAD
-import numpy as np
-from PySide import QtGui
 
 from tessera.objects import imprinted_faces
-from tessera.taskpanels.cells import CellsPanel, PreviewCell, SourceList, narrow
+from tessera.taskpanels.cells import CellsPanel, Preview, PreviewCell
 from tessera.tools import forms
+from tessera.tools.number_field import NumberField
 
 translate = FreeCAD.Qt.translate
 
@@ -15,86 +14,51 @@ translate = FreeCAD.Qt.translate
 class ImprintedFacesPanel(CellsPanel):
     """Which sources and targets, how far apart they may be, which of the cells."""
 
-    TITLE = translate("Tessera", "Imprint faces")
+    FORM = "imprinted_faces"
     ICON = "tessera_imprint_faces"
-    OBJECT_NAME = "TesseraImprintedFaces"
     UNDO_TEXT = translate("Tessera", "Imprint faces")
+    LISTS = ("source", "target")
 
     def __init__(self, sources, targets, obj=None):
-        self.placement = np.eye(4)
         super().__init__((obj or (sources + targets)[0][0]).Document, obj)
+        self._sources, self._targets = self._lists
         self._sources.set(sources)
         self._targets.set(targets)
-        if obj is not None:
-            for field, value in zip(self._direction, obj.Direction):
-                field.setValue(value)
-            self.set_length(self._tolerance, obj.Tolerance.Value)
-            self._fill = obj.Fill
-            self._points = list(obj.KeptCells)
-        forms.connect(self._tolerance, "valueChanged(double)", self._on_changed)
-        for field in self._direction:
-            field.valueChanged.connect(self._on_changed)
+        self._fill = obj.Fill if obj else "Even-odd"
+        form = self.form
+        self._direction = [
+            NumberField(field, is_length=False)
+            for field in (form.directionX, form.directionY, form.directionZ)
+        ]
+        for field, value in zip(self._direction, obj.Direction if obj else (0.0, 0.0, 0.0)):
+            field.set(value)
+        self._tolerance = NumberField(form.toleranceField)
+        self._tolerance.set(obj.Tolerance.Value if obj else 0.0)
+        for field in (form.toleranceField, form.directionX, form.directionY, form.directionZ):
+            forms.connect(field, "valueChanged(double)", self.update)
         self.update()
 
     @classmethod
     def of_object(cls, obj):
         return cls(list(obj.Sources), list(obj.Targets), obj)
 
-    def fields(self, layout):
-        self._fill = "Even-odd"
-        self._sources = SourceList("source", translate("Tessera", "Sources"), self._on_changed)
-        self._targets = SourceList("target", translate("Tessera", "Targets"), self._on_changed)
-        layout.addWidget(self._sources.box)
-        layout.addWidget(self._targets.box)
-        form = self.form_layout()
-        row = QtGui.QHBoxLayout()
-        self._direction = []
-        for axis in "XYZ":
-            field = QtGui.QDoubleSpinBox()
-            field.setObjectName(f"direction{axis}")
-            narrow(field)
-            field.setRange(-1e6, 1e6)
-            field.setDecimals(4)
-            field.setToolTip(
-                translate("Tessera", "Direction of the sweep; 0, 0, 0: the normal of the sources")
-            )
-            row.addWidget(field)
-            self._direction.append(field)
-        self._tolerance = self.length_field("toleranceField")
-        self._tolerance.setToolTip(
-            translate(
-                "Tessera", "Overlaps and gaps up to this width are closed; 0: as the faces need it"
-            )
-        )
-        form.addRow(translate("Tessera", "Direction"), row)
-        form.addRow(translate("Tessera", "Tolerance"), self._tolerance)
-        layout.addLayout(form)
-
-    def _on_changed(self, *_):
-        self.update()
-
-    def links(self):
-        return self._sources.links + self._targets.links
-
     def values(self):
         return {
             "Sources": self._sources.values(),
             "Targets": self._targets.values(),
-            "Direction": FreeCAD.Vector(*(field.value() for field in self._direction)),
-            "Tolerance": self.length_of(self._tolerance),
+            "Direction": FreeCAD.Vector(*(field.get() for field in self._direction)),
+            "Tolerance": self._tolerance.get(),
             "Fill": self._fill,
         }
 
-    def preview_cells(self):
-        values = self.values()
+    def meaning(self):
+        return self._fill
+
+    def preview(self, values):
+        sources, targets = self._sources.items(), self._targets.items()
         result = imprinted_faces.imprint_items(
-            self._sources.items(),
-            self._targets.items(),
-            values["Direction"],
-            values["Tolerance"],
-            values["Fill"],
+            sources, targets, values["Direction"], values["Tolerance"], values["Fill"]
         )
-        self.placement = result.placement
         faces = [[] for _ in result.cells]
         for sides, own_faces in (
             (result.sources, result.source_faces()),
@@ -103,17 +67,21 @@ class ImprintedFacesPanel(CellsPanel):
             for side, own in zip(sides, own_faces):
                 for cell, face in zip(side.cells, own):
                     faces[cell].append(face)
-        found = [
+        found, labels = imprinted_faces.cells_of(result, sources, targets)
+        shown = [
             PreviewCell(
-                imprinted_faces.history_text(result, number), cell.area, faces[number], cell.rings
+                imprinted_faces.history_text(result, number),
+                result.cells[number].area,
+                faces[number],
+                cell,
             )
-            for number, cell in enumerate(result.cells)
+            for number, cell in enumerate(found)
         ]
         closed = translate("Tessera", "Closed: {}")
         left = translate("Tessera", "Left: {}")
         messages = [closed.format(imprinted_faces.place_text(place)) for place in result.closed]
         messages += [left.format(imprinted_faces.place_text(place)) for place in result.left]
-        return found, messages + result.messages
+        return Preview(shown, result.placement, labels, messages + result.messages)
 
     def make(self, values):
         return imprinted_faces.make_imprinted_faces(

@@ -65,10 +65,13 @@ class CellPreview:
 
     def close(self):
         if self._root is not None:
-            self._view.removeEventCallbackPivy(
-                coin.SoMouseButtonEvent.getClassTypeId(), self._callback
-            )
-            self._view.getSceneGraph().removeChild(self._root)
+            try:
+                self._view.removeEventCallbackPivy(
+                    coin.SoMouseButtonEvent.getClassTypeId(), self._callback
+                )
+                self._view.getSceneGraph().removeChild(self._root)
+            except RuntimeError:
+                pass  # the view has been closed, and has taken all of it along
         self._view = self._root = self._callback = None
         self._nodes = []
         self._materials = []

@@ -13,7 +13,22 @@ class RecomputeError(RuntimeError, metaclass=_ShownAs):
     """Why an object could not be recomputed; the message is for the user."""
 
 
-def raising(function):
+def recomputing(compute):
+    """What FreeCAD shall call, with the object, to recompute: compute(obj), which may raise
+    tessera.Error. An error marks the object, and FreeCAD shows it where the user looks for it."""
+    from tessera.errors import Error
+
+    def recompute(obj):
+        try:
+            compute(obj)
+        except (Error, ImportError) as error:
+            return RecomputeError(f"{obj.Label}: {error}")
+        return None
+
+    return _raising(recompute)
+
+
+def _raising(function):
     """A callable that calls the function, and raises what it returns if that is an exception. It
     does so from compiled code: an exception raised in Python brings its traceback along."""
     try:
