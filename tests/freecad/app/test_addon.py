@@ -51,7 +51,8 @@ def test_resources_are_well_formed():
     icons = ("", "_mesh_sketch", "_planar_mesh", "_boolean", "_imprint_faces")
     for icon in (f"tessera{name}" for name in icons):
         assert Path(resources.icon(icon)).is_file()
-    assert Path(resources.form("planar_mesh")).is_file()
+    for form in ("planar_mesh", "sizes", "boolean", "imprinted_faces", "cells"):
+        assert Path(resources.form(form)).is_file()
 
 
 def test_forms_do_not_shadow_what_widgets_have():
