@@ -29,6 +29,7 @@ namespace
 constexpr int kRounds = 3;
 constexpr double kCoarseChord = 1e-5; ///< of the bounding box's diagonal, as for overlays
 constexpr double kFineChord = 1e-6;   ///< no finer for any tolerance
+constexpr double kChordOfTolerance = 0.01;
 
 class Imprint
 {
@@ -94,7 +95,7 @@ private:
         if (options.chordError == 0.0 && options_.tolerance > options_.weld
             && box.diagonal() > 0.0) {
             options.chordError = std::min(kCoarseChord * box.diagonal(),
-                                          std::max(options_.tolerance / 8.0,
+                                          std::max(kChordOfTolerance * options_.tolerance,
                                                    kFineChord * box.diagonal()));
         }
         return overlayNetwork(network_, options, execution_);
@@ -138,12 +139,14 @@ private:
         return mismatch;
     }
 
-    void measure(const Patches& patches, std::uint32_t patch, Mismatch& mismatch) const
+    /// Gives whether it is no wider than the tolerance.
+    bool measure(const Patches& patches, std::uint32_t patch, Mismatch& mismatch) const
     {
-        const InscribedCircle circle = patches.circleIn(patch);
+        const InscribedCircle circle = patches.circleIn(patch, 0.5 * options_.tolerance);
         mismatch.area = patches.area(patch);
         mismatch.width = 2.0 * circle.radius;
         mismatch.at = circle.center;
+        return circle.isWithin;
     }
 
     /// Measured, if the patch is no wider than the tolerance.
@@ -155,8 +158,7 @@ private:
             return std::nullopt;
         }
         Mismatch mismatch;
-        measure(patches, patch, mismatch);
-        if (mismatch.width > options_.tolerance) {
+        if (!measure(patches, patch, mismatch)) {
             return std::nullopt;
         }
         Mismatch found = describe(overlay, patches, patch);

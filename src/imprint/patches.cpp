@@ -133,7 +133,7 @@ double Patches::perimeter(std::uint32_t patch) const
     return sum;
 }
 
-InscribedCircle Patches::circleIn(std::uint32_t patch) const
+InscribedCircle Patches::circleIn(std::uint32_t patch, double limit) const
 {
     std::vector<std::array<Vec2, 3>> corners;
     std::vector<std::array<Vec2, 2>> border;
@@ -143,7 +143,7 @@ InscribedCircle Patches::circleIn(std::uint32_t patch) const
     forBorder(mesh_, *this, patch, [&](HalfEdge h) {
         border.push_back({mesh_.points[mesh_.origin(h)], mesh_.points[mesh_.destination(h)]});
     });
-    return largestCircleIn(corners, border);
+    return largestCircleIn(corners, border, limit);
 }
 
 bool Patches::contains(std::uint32_t patch, Vec2 p) const

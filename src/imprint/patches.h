@@ -42,7 +42,8 @@ public:
 
     double area(std::uint32_t patch) const;
     double perimeter(std::uint32_t patch) const;
-    InscribedCircle circleIn(std::uint32_t patch) const;
+    /// limit: as for largestCircleIn().
+    InscribedCircle circleIn(std::uint32_t patch, double limit = 0.0) const;
     bool contains(std::uint32_t patch, Vec2 p) const;
 
 private:

@@ -119,6 +119,33 @@ TEST(Imprint, OverlapsAndGapsWithinTheToleranceAreClosedWiderOnesLeft)
     expectConforming(closed);
 }
 
+TEST(Imprint, TheToleranceIsExact)
+{
+    // Three sources in a row: the gaps are 0.0100001 and 0.01 wide. Turned, nothing is exact.
+    for (const double angle : {0.0, 0.3}) {
+        const auto turned = [angle](Ring ring) {
+            for (Vec2& p : ring) {
+                p = {std::cos(angle) * p.x - std::sin(angle) * p.y,
+                     std::sin(angle) * p.x + std::cos(angle) * p.y};
+            }
+            return ring;
+        };
+        ImprintCase c;
+        addSource(c, turned(rectangle(0, 0, 2, 2)));
+        addSource(c, turned(rectangle(2.0100001, 0, 4, 2)));
+        addSource(c, turned(rectangle(4.01, 0, 6, 2)));
+        addTarget(c, turned(rectangle(0, 0, 6, 2)));
+        ImprintOptions options;
+        options.tolerance = 0.01;
+        const ImprintResult result = imprint(c, options);
+        ASSERT_EQ(result.left.size(), 1U);
+        EXPECT_NEAR(result.left[0].width, 0.0100001, 1e-9);
+        ASSERT_EQ(result.closed.size(), 1U);
+        EXPECT_NEAR(result.closed[0].width, 0.01, 1e-9);
+        EXPECT_EQ(result.cells.size(), 4U);
+    }
+}
+
 TEST(Imprint, CurvedGapsAreClosedToo)
 {
     // A disk in a hole that is wider by 0.004 all around; its curve starts elsewhere.
@@ -230,7 +257,12 @@ TEST(InscribedCircle, OfATriangleAndOfALongStrip)
                                                    {{{1e6, 0}, {1e6, 1e-3}}},
                                                    {{{1e6, 1e-3}, {0, 1e-3}}},
                                                    {{{0, 1e-3}, {0, 0}}}};
-    EXPECT_NEAR(largestCircleIn(strip, around).radius, 5e-4, 5e-6);
+    const InscribedCircle inStrip = largestCircleIn(strip, around, 5e-4);
+    EXPECT_NEAR(inStrip.radius, 5e-4, 1e-12);
+    EXPECT_TRUE(inStrip.isWithin);
+    EXPECT_FALSE(largestCircleIn(strip, around, 4.9999e-4).isWithin);
+    EXPECT_TRUE(largestCircleIn(triangle, sides, 1.0).isWithin);
+    EXPECT_FALSE(largestCircleIn(triangle, sides, 0.99999).isWithin);
     EXPECT_EQ(largestCircleIn({}, {}).radius, 0.0);
 }
 
