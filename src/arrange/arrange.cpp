@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arrange/arrange.h"
 
+#include "base/number_text.h"
 #include "arrange/cross_curves.h"
 #include "arrange/cross_straight.h"
 #include "arrange/weld.h"
@@ -9,7 +10,6 @@
 #include "curve/network_check.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -81,13 +81,6 @@ std::size_t collapseShortCurves(const CurveNetwork& before, double weld, CurveNe
     return count;
 }
 
-std::string number(double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
-
 std::string counted(std::size_t count, const char* one, const char* several)
 {
     return std::to_string(count) + (count == 1 ? one : several);
@@ -95,7 +88,7 @@ std::string counted(std::size_t count, const char* one, const char* several)
 
 void addMessages(double weld, ArrangeReport& report)
 {
-    const std::string within = " within the weld tolerance " + number(weld);
+    const std::string within = " within the weld tolerance " + numberText(weld);
     if (report.welded > 0) {
         std::string text = counted(report.welded, " end point was", " end points were")
             + " joined to another one" + within + ".";
@@ -110,7 +103,7 @@ void addMessages(double weld, ArrangeReport& report)
         report.messages.push_back(
             counted(report.weldedOnto, " end point was", " end points were")
             + " joined to the inside of a curve" + within + ", which bends curves by up to "
-            + number(report.greatestBend) + ".");
+            + numberText(report.greatestBend) + ".");
     }
     if (!report.chainsLeft.empty()) {
         const Vec2 place = report.chainsLeft.front().position;
@@ -118,8 +111,8 @@ void addMessages(double weld, ArrangeReport& report)
             std::to_string(report.chainsLeft.size())
             + (report.chainsLeft.size() == 1 ? " row" : " rows")
             + " of end points or crossings within the weld tolerance of each other reach too far to"
-              " be one point and stay as they are, the first at ("
-            + number(place.x) + ", " + number(place.y) + "); choose a smaller tolerance.");
+              " be one point and stay as they are, the first at "
+            + placeText(place) + "; choose a smaller tolerance.");
     }
 }
 

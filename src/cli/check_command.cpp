@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.h"
+#include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/file_names.h"
 #include "io/atomic_file.h"
@@ -58,7 +59,7 @@ std::string describeWorst(const QualityReport& quality)
         return "";
     }
     const QualityReport::Worst& worst = quality.worst.front();
-    return fmt::format(" at ({:.6g}, {:.6g})", worst.place.x, worst.place.y);
+    return " at " + placeText(worst.place);
 }
 
 int runCheck(const CheckArguments& a)

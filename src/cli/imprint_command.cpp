@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.h"
+#include "base/number_text.h"
 #include "cli/choices.h"
 #include "cli/commands.h"
 #include "cli/file_names.h"
@@ -108,9 +109,8 @@ void printSummary(const ImprintResult& result, const ImprintArguments& a, double
         fmt::print("{}\n", message);
     }
     for (const Mismatch& mismatch : result.left) {
-        fmt::print("Left: {} {:.4g} wide, area {:.4g}, at ({:.6g}, {:.6g})\n",
-                   nameOf(mismatch.kind), mismatch.width, mismatch.area, mismatch.at.x,
-                   mismatch.at.y);
+        fmt::print("Left: {} {:.4g} wide, area {:.4g}, at {}\n", nameOf(mismatch.kind),
+                   mismatch.width, mismatch.area, placeText(mismatch.at));
     }
     fmt::print("{}: {}, area {:.6g}, {} closed, {} left, {:.2f} s\n", a.output,
                counted(result.cells.size(), "cell"), result.overlay.report.area,

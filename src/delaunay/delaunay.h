@@ -41,7 +41,7 @@ struct DelaunayResult
 /// Delaunay triangulation of any finite points, by Bowyer–Watson insertion in a biased randomized
 /// (BRIO) + Hilbert order. Vertices are numbered along that order, from 1. Exact and
 /// deterministic. Throws Error(InvalidInput) for a coordinate that is not finite or out of range
-/// (see predicates/range.h), with the index in places[0].curve.
+/// (see predicates/range.h).
 DelaunayResult triangulate(std::span<const Vec2> points, Execution& execution);
 
 /// Adds the rectangle's corners as vertices and triangulates the ring between them and the convex

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/check_mesh.h"
 
+#include "base/number_text.h"
 #include "io/outline_check.h"
 #include "mesh/second_order.h"
 #include "predicates/predicates.h"
@@ -88,7 +89,7 @@ private:
     }
     std::string place(std::uint32_t node) const
     {
-        return fmt::format("({:.6g}, {:.6g})", points_[node].x, points_[node].y);
+        return placeText(points_[node]);
     }
 
     void count()

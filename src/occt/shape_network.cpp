@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occt/shape_network.h"
 
+#include "base/number_text.h"
 #include "occt/occt_curve.h"
 #include "occt/shape_plane.h"
 
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 namespace tessera
 {
@@ -27,14 +27,6 @@ namespace
 
 constexpr double kWeldPerVertexTolerance = 20.0;
 constexpr double kWeldPerDiagonal = 1e-7;
-
-std::string number(double value)
-{
-    std::ostringstream out;
-    out.precision(6);
-    out << value;
-    return out.str();
-}
 
 /// "Edge3, Edge5, Edge6 and 12 more".
 template<class NameOf>
@@ -261,7 +253,7 @@ void ShapeReader::choosePlane()
     if (!curved.empty()) {
         throw CadError(ErrorKind::InvalidInput,
                        listOf(curved, faceName) + ": " + kind + ", leaves its plane by up to "
-                           + number(distance) + "; choose planar faces.");
+                           + numberText(distance) + "; choose planar faces.");
     }
     TopoDS_Face first;
     if (faces_.Extent() > 0) {
@@ -294,7 +286,7 @@ void ShapeReader::checkHeights() const
             numbers.push_back(edge);
         }
     }
-    const std::string message = ": up to " + number(greatest) + " out of the plane"
+    const std::string message = ": up to " + numberText(greatest) + " out of the plane"
         + (options_.plane ? "" : faces_.Extent() > 0 ? " of Face1" : " of the others")
         + "; choose faces and edges that lie in one plane.";
     throw numbers.empty() ? CadError(ErrorKind::InvalidInput, "A vertex" + message)
@@ -375,7 +367,7 @@ PointId ShapeReader::endPoint(const TopoDS_Vertex& vertex, const gp_Pnt& curveEn
     }
     const double gap = BRep_Tool::Pnt(vertex).Distance(curveEnd);
     if (!(gap <= input_.defaultWeld)) {
-        throw refusal({edge}, " ends " + number(gap) + " away from its vertex; repair the shape.");
+        throw refusal({edge}, " ends " + numberText(gap) + " away from its vertex; repair the shape.");
     }
     return pointOf(vertex);
 }

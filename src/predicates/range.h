@@ -15,7 +15,7 @@ constexpr double kMinMagnitude = 1e-150;
 constexpr double kMaxSpan = 1e60;
 
 /// Throws Error(InvalidInput) at the first point with a coordinate that is not finite or whose
-/// magnitude is outside the limits above; places[0] has the point and its index in `curve`. O(n).
+/// magnitude is outside the limits above; places[0] has the point. O(n).
 void checkRange(std::span<const Vec2> points);
 
 } // namespace tessera

@@ -2,6 +2,7 @@
 #include "region/colored_plane.h"
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "curve/curve_tools.h"
 #include "delaunay/delaunay.h"
 #include "recover/recover.h"
@@ -21,7 +22,7 @@ namespace
 
 constexpr double kPiecesPerTurn = 48.0;
 
-[[noreturn]] void refuse(const char* text, std::vector<ErrorPlace> places = {})
+[[noreturn]] void refuse(const std::string& text, std::vector<ErrorPlace> places = {})
 {
     throw Error(ErrorKind::InvalidOption, text, std::move(places));
 }
@@ -93,11 +94,9 @@ AreaSource ColoredPlane::areaSource(const RegionSize& region) const
     else {
         const std::size_t found = isFinite(region.position) ? regionIndexAt(region.position) : 0;
         if (!regions_.regions[found].inside) {
-            std::snprintf(text, sizeof text,
-                          "A size is for the region around (%.6g, %.6g), but that place is not "
-                          "inside; choose one between the curves.",
-                          region.position.x, region.position.y);
-            refuse(text, {{region.position}});
+            refuse("A size is for the region around " + placeText(region.position)
+                       + ", but that place is not inside; choose one between the curves.",
+                   {{region.position}});
         }
         chosen[found] = 1;
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "region/marked_points.h"
 
+#include "base/number_text.h"
 #include "delaunay/delaunay.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace tessera
 {
@@ -78,11 +78,8 @@ private:
         }
         hint_ = where.edge & ~3U;
         if (onCurve) {
-            char text[200];
-            std::snprintf(text, sizeof text,
-                          "%s at (%.6g, %.6g) lies on a curve and has no effect; move it inside.",
-                          who, p.x, p.y);
-            marked_.messages.emplace_back(text);
+            marked_.messages.push_back(who + (" at " + placeText(p))
+                                       + " lies on a curve and has no effect; move it inside.");
             return 0;
         }
         const std::uint32_t here = faces_.faceOfTriangle[Topology::triangleOf(where.edge)];
@@ -150,12 +147,8 @@ private:
             }
         }
         if (taken) {
-            char text[200];
-            std::snprintf(text, sizeof text,
-                          "The region point at (%.6g, %.6g) shares a face with an earlier one,"
-                          " which counts.",
-                          point.position.x, point.position.y);
-            marked_.messages.emplace_back(text);
+            marked_.messages.push_back("The region point at " + placeText(point.position)
+                                       + " shares a face with an earlier one, which counts.");
         }
     }
 

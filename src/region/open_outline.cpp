@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "region/open_outline.h"
 
+#include "base/number_text.h"
 #include "curve/default_roles.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -325,14 +325,14 @@ private:
         return least;
     }
 
-    std::string place(std::uint32_t vertex) const
+    std::string place(std::uint32_t vertex,
+                      double apart = std::numeric_limits<double>::infinity()) const
     {
         const Vec2 p = points_[vertex];
         const double rounding = 1e-14 * (std::abs(p.x) + std::abs(p.y));
-        char text[80];
-        std::snprintf(text, sizeof text, "(%.6g, %.6g)", std::abs(p.x) > rounding ? p.x : 0.0,
-                      std::abs(p.y) > rounding ? p.y : 0.0);
-        return text;
+        return placeText({std::abs(p.x) > rounding ? p.x : 0.0,
+                          std::abs(p.y) > rounding ? p.y : 0.0},
+                         apart);
     }
 
     std::string nameOf(std::uint32_t curve) const
@@ -355,12 +355,11 @@ private:
     OutlineFlaw describeGap(const Pair& pair) const
     {
         OutlineFlaw flaw = describeNothing(OutlineFlaw::Kind::Gap);
-        const auto end = [this](const FreeEnd& e) {
-            return place(e.vertex) + (nameOf(e.curve).empty() ? "" : " of " + nameOf(e.curve));
+        const double gap = lengthOf(pair);
+        const auto end = [this, gap](const FreeEnd& e) {
+            return place(e.vertex, gap) + (nameOf(e.curve).empty() ? "" : " of " + nameOf(e.curve));
         };
-        char gap[40];
-        std::snprintf(gap, sizeof gap, "%.6g", lengthOf(pair));
-        flaw.what = end(pair.first) + " and " + end(pair.second) + ", " + gap + " apart";
+        flaw.what = end(pair.first) + " and " + end(pair.second) + ", " + numberText(gap) + " apart";
         flaw.remedy = "close the gap, or raise the weld tolerance to that";
         flaw.places = {{points_[pair.first.vertex], pair.first.curve},
                        {points_[pair.second.vertex], pair.second.curve}};
@@ -405,7 +404,8 @@ private:
             if (other.kind == m.kind && other.vertex != m.vertex
                 && other.parents() == m.parents()) {
                 flaw.places[1].position = points_[other.vertex];
-                return " between " + place(m.vertex) + " and " + place(other.vertex);
+                const double apart = distance(points_[m.vertex], points_[other.vertex]);
+                return " between " + place(m.vertex, apart) + " and " + place(other.vertex, apart);
             }
         }
         return " beside " + place(m.vertex);

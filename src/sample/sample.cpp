@@ -2,6 +2,7 @@
 #include "sample/sample.h"
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "curve/curve_tools.h"
 #include "curve/curve_views.h"
 #include "curve/line.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <string>
@@ -361,12 +361,10 @@ private:
             return;
         }
         const NetworkCurve& curve = network_.curves[dropped_.front().index()];
-        const Vec2 p = network_.points[curve.start.index()];
-        char place[80];
-        std::snprintf(place, sizeof place, "(%.6g, %.6g)", p.x, p.y);
+        const std::string place = placeText(network_.points[curve.start.index()]);
         pslg_.messages.push_back(
             dropped_.size() == 1
-                ? "A curve of zero length at " + std::string(place) + " was left out."
+                ? "A curve of zero length at " + place + " was left out."
                 : std::to_string(dropped_.size()) + " curves of zero length were left out, the"
                     " first at " + place + ".");
     }

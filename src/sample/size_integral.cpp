@@ -7,6 +7,7 @@
 #include "sample/size_integral.h"
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "curve/curve_tools.h"
 
 #include <algorithm>
@@ -32,11 +33,10 @@ double checkedSize(const SizeField& size, Vec2 p)
 {
     const double h = size.size(p);
     if (!(h > 0.0) || !std::isfinite(h)) {
-        char text[160];
-        std::snprintf(text, sizeof text,
-                      "The size at (%.6g, %.6g) is %.6g; it must be a number above 0.", p.x, p.y,
-                      h);
-        throw Error(ErrorKind::InvalidOption, text, {{p}});
+        throw Error(ErrorKind::InvalidOption,
+                    "The size at " + placeText(p) + " is " + numberText(h)
+                        + "; it must be a number above 0.",
+                    {{p}});
     }
     return h;
 }

@@ -11,11 +11,11 @@
 #include "sizing/area_size.h"
 
 #include "base/error.h"
+#include "base/number_text.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace tessera
 {
@@ -153,12 +153,12 @@ private:
                 if (isOutside(p)) {
                     throw BadOutside();
                 }
-                char text[400];
-                std::snprintf(text, sizeof text,
-                              "%.200s is %.6g at (%.6g, %.6g); it must be a number above 0 in all "
-                              "that is meshed, as with max(..., 0.1).",
-                              source.name.c_str(), h, p.x, p.y);
-                throw Error(ErrorKind::InvalidOption, text, {{p}});
+                throw Error(ErrorKind::InvalidOption,
+                            source.name.substr(0, 200) + " is " + numberText(h) + " at "
+                                + placeText(p)
+                                + "; it must be a number above 0 in all that is meshed, as with "
+                                  "max(..., 0.1).",
+                            {{p}});
             }
             least = std::min(least, h);
         }

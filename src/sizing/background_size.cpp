@@ -3,10 +3,10 @@
 
 #include "arrange/box_tree.h"
 #include "base/error.h"
+#include "base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 
@@ -43,12 +43,10 @@ void requireValid(const BackgroundMesh& mesh)
         const Vec2 p = mesh.nodes[i];
         const double h = mesh.sizes[i];
         if (!isFinite(p) || !(h > 0.0) || !std::isfinite(h)) {
-            char text[200];
-            std::snprintf(text, sizeof text,
-                          "the size at node %zu, at (%.6g, %.6g), is %.6g; it must be a number "
-                          "above 0.",
-                          i, p.x, p.y, h);
-            refuse(mesh, text, {{p}});
+            refuse(mesh,
+                   "the size at node " + std::to_string(i) + ", at " + placeText(p) + ", is "
+                       + numberText(h) + "; it must be a number above 0.",
+                   {{p}});
         }
     }
 }
