@@ -75,12 +75,10 @@ std::string stemOf(const std::string& path)
 ImprintInput readFlatImprint(const std::vector<SidedFile>& files,
                              const std::optional<Vec3>& direction)
 {
-    if (direction && (*direction)[2] == 0.0) {
-        throw Error(ErrorKind::InvalidOption,
-                    "The direction runs along the plane of the polygons; give one that leads away "
-                    "from it.");
-    }
     ImprintInput input;
+    if (direction) { // polygons in one plane lie where they lie, whatever it is
+        unitDirection(*direction, input.frame.z);
+    }
     for (const auto& [path, side] : files) {
         CurveNetwork network = readNetwork(path);
         if (kindOf(path) == InputKind::Wkt) {

@@ -61,7 +61,7 @@ void addOptions(CLI::App& command, OverlayArguments& a)
     command
         .add_option("--priority", a.priority,
                     "first or last: what several operands cover belongs to the first or last of "
-                    "them; a line for each operand")
+                    "them alone; the result is divided by owner (a line of .wkt for each)")
         ->transform(namesOnly(kPriorities))
         ->type_name("WHICH");
     addFillOption(command, a,

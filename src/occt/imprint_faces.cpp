@@ -140,7 +140,7 @@ private:
         const PlaneFrame plane = planeOfShapes(std::span(&unit.shape, 1));
         if (input_.origins.empty()) {
             input_.frame = plane;
-            chooseDirection();
+            direction_ = unitDirection(given_.value_or(input_.frame.z), input_.frame.z);
         }
         ImprintOrigin origin;
         origin.shape = index;
@@ -164,26 +164,6 @@ private:
         input_.side.insert(input_.side.end(), operands, shapes_[index].side);
         input_.origins.insert(input_.origins.end(), operands, origin);
         appendNetwork(input_.network, std::move(projected.network));
-    }
-
-    void chooseDirection()
-    {
-        direction_ = given_.value_or(input_.frame.z);
-        const double length = lengthOf(direction_);
-        if (!(length > 0.0) || !std::isfinite(length)) {
-            throw Error(ErrorKind::InvalidOption,
-                        "The direction has no length; give three numbers that are not all 0.");
-        }
-        for (double& x : direction_) {
-            x /= length;
-        }
-        const double sine = std::abs(dotOf(direction_, input_.frame.z));
-        if (sine < kFlattest) {
-            throw Error(ErrorKind::InvalidOption,
-                        "The direction runs along the faces, at "
-                            + number(std::asin(sine) / kPerDegree)
-                            + " degrees to their plane; give one that leads away from them.");
-        }
     }
 
     /// What leaves the common plane is tilted, and the angle says more than the distance.
@@ -224,6 +204,26 @@ private:
 };
 
 } // namespace
+
+Vec3 unitDirection(Vec3 direction, const Vec3& normal)
+{
+    const double length = lengthOf(direction);
+    if (!(length > 0.0) || !std::isfinite(length)) {
+        throw Error(ErrorKind::InvalidOption,
+                    "The direction has no length; give three numbers that are not all 0.");
+    }
+    for (double& x : direction) {
+        x /= length;
+    }
+    const double sine = std::abs(dotOf(direction, normal));
+    if (sine < kFlattest) {
+        throw Error(ErrorKind::InvalidOption,
+                    "The direction runs along the faces, at "
+                        + number(std::asin(sine) / kPerDegree)
+                        + " degrees to their plane; give one that leads away from them.");
+    }
+    return direction;
+}
 
 ImprintInput projectShapes(std::span<const ImprintShape> shapes,
                            const std::optional<Vec3>& direction)

@@ -48,11 +48,15 @@ struct ImprintInput
     double defaultWeld = 0.0;           ///< the greatest of CadInput::defaultWeld
 };
 
+/// The direction of an imprint at length 1, for faces with that unit normal. Throws
+/// Error(InvalidOption) for one within their planes or without length.
+Vec3 unitDirection(Vec3 direction, const Vec3& normal);
+
 /// Each face becomes an operand, of a shape without faces its loose edges together; loose edges
 /// beside faces are left out. direction: of any length, none: the common normal of the faces.
 /// Throws CadError(InvalidInput), shape() and face() say for which: faces that are not planar (with the
 /// distance) or not parallel to the first one (with the angle), and as networkFromShape();
-/// Error(InvalidOption) for a direction within the planes or without length.
+/// as unitDirection().
 ImprintInput projectShapes(std::span<const ImprintShape> shapes,
                            const std::optional<Vec3>& direction);
 

@@ -73,6 +73,14 @@ public:
             projectAll(direction);
             return;
         }
+        if (direction) { // polygons in one plane lie where they lie, whatever it is
+            try {
+                unitDirection(*direction, input_.frame.z);
+            }
+            catch (const Error& error) {
+                python::raise(error, {}, {});
+            }
+        }
         for (std::size_t i = 0; i < flat_.size(); ++i) {
             auto& [network, side] = flat_[i];
             const std::size_t count = network.operands.size();

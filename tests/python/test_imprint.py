@@ -69,6 +69,8 @@ def test_wrong_arguments_are_refused():
         {"progress": 3},
         {"direction": (1, 0)},
         {"direction": "up"},
+        {"direction": (1, 0, 0)},
+        {"direction": (0, 0, 0)},
     ):
         with pytest.raises(tessera.InvalidOptionError):
             tessera.imprint(HALVES, THIRDS, **wrong)

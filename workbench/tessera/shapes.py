@@ -190,7 +190,7 @@ def _from_sketch(sketch, construction):
         if is_construction:
             roles[len(edges)] = native.Role.constraint
     if not shapes:
-        raise InvalidInputError(f"{sketch.Label} has no geometry to mesh; draw a closed outline.")
+        raise InvalidInputError(f"{sketch.Label} has no geometry; draw a closed outline.")
     source = CadSource(sketch, sketch.Label, Part.Compound(shapes), sketch.Placement)
     source.elements = edges
     source.roles = roles

@@ -81,7 +81,7 @@ def _looks_like_cad(item):
 def _items(source):
     """The operands one by one."""
     if source is None:
-        raise InvalidInputError("There is nothing to mesh; give a sketch, a shape or arrays.")
+        raise InvalidInputError("There is no source; give a sketch, a shape or arrays.")
     if _looks_like_cad(source) or arrays.is_points_and_segments(source):
         return [source]
     if arrays.is_ring(source):
@@ -90,7 +90,7 @@ def _items(source):
         raise InvalidInputError(f"A polygon must have shape (n, 2), not {source.shape}.")
     if isinstance(source, (str, bytes, dict)) or not hasattr(source, "__iter__"):
         raise InvalidInputError(
-            f"{source!r} cannot be meshed; give a sketch, a shape, (points, segments) or polygons."
+            f"{source!r} is no source; give a sketch, a shape, (points, segments) or polygons."
         )
     items = list(source)
     arrays.refuse_odd_points(items)
@@ -201,7 +201,7 @@ def _prepare_cad(items, construction, roles):
 
     for item in items:
         if not shapes.is_cad(item):
-            raise InvalidInputError("Arrays and FreeCAD shapes cannot be meshed together.")
+            raise InvalidInputError("Arrays and FreeCAD shapes cannot be used together.")
     sources = [shapes.make_source(item, construction) for item in items]
     added = []
     for role, elements in roles:

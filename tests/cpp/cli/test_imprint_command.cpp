@@ -106,7 +106,7 @@ TEST_F(ImprintCommand, RefusesInOneLine)
     program.refuse({"imprint", "--source", "s.wkt", "-o", "a.wkt"}, "--target is required", 2);
     program.refuse(with({"-o", "a.txt"}), ".brep", 2);
     program.refuse(with({"-o", "a.wkt", "--direction", "1,0"}), "three numbers", 2);
-    program.refuse(with({"-o", "a.wkt", "--direction", "1,0,0"}), "along the plane", 1);
+    program.refuse(with({"-o", "a.wkt", "--direction", "1,0,0"}), "along the faces", 1);
     program.refuse(with({"-o", "a.wkt", "--tolerance=-1"}), "tolerance", 1);
     program.refuse(with({"-o", "a.wkt", "--tolerance", "nan"}), "tolerance", 1);
     program.refuse(with({"-o", "s.wkt"}), "replace the input", 1);
