@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/error.h"
+#include "base/workers.h"
 
 #include <algorithm>
 #include <atomic>
@@ -41,6 +42,8 @@ public:
         threads_ = std::max(count > 0 ? count : all, 1);
     }
     int threads() const { return threads_; }
+    /// For base/parallel.h.
+    Workers& workers() const { return workers_; }
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
     /// Where several runs make up the whole: the stages of the next one fill [begin, end] of it.
@@ -85,6 +88,7 @@ private:
     std::atomic<bool> cancelled_ {false};
     std::optional<Clock::time_point> deadline_;
     int threads_ = 1;
+    mutable Workers workers_;
     Progress progress_;
     const char* stage_ = "";
     double shareBegin_ = 0.0;

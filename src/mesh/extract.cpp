@@ -53,7 +53,8 @@ public:
         numberRegions();
         MeshOrder order = orderMesh(working_, execution_);
         result_.nodeOfVertex = std::move(order.nodeOfVertex);
-        takeNodes(order.nodes);
+        makeRoom(order.nodes, order.triangles.size());
+        takeNodes();
         takeTriangles(order.triangles);
         takeEdges();
         return std::move(result_);
@@ -79,13 +80,20 @@ private:
 
     std::uint32_t nodeOf(std::uint32_t vertex) const { return result_.nodeOfVertex[vertex]; }
 
-    void takeNodes(std::uint32_t count)
+    /// The first writing to new memory costs more than the rest: threads share it array by array.
+    void makeRoom(std::size_t nodes, std::size_t triangles)
     {
         Mesh& mesh = result_.mesh;
-        reserveTouched(execution_.threads(), mesh.nodes, count);
-        mesh.nodes.resize(count);
-        mesh.nodeOrigin.resize(count);
-        forEachPiece(execution_.threads(), result_.nodeOfVertex.size(), kPiece,
+        runTogether(
+            execution_, [&] { mesh.triangles.resize(triangles); },
+            [&] { mesh.nodes.resize(nodes); }, [&] { mesh.triangleRegion.resize(triangles); },
+            [&] { mesh.nodeOrigin.resize(nodes); });
+    }
+
+    void takeNodes()
+    {
+        Mesh& mesh = result_.mesh;
+        forEachPiece(execution_, result_.nodeOfVertex.size(), kPiece,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
                          for (std::size_t v = begin; v < end; ++v) {
                              const std::uint32_t node = result_.nodeOfVertex[v];
@@ -100,14 +108,10 @@ private:
     void takeTriangles(const std::vector<std::uint32_t>& slots)
     {
         Mesh& mesh = result_.mesh;
-        reserveTouched(execution_.threads(), mesh.triangles, slots.size());
-        reserveTouched(execution_.threads(), mesh.triangleRegion, slots.size());
-        mesh.triangles.resize(slots.size());
-        mesh.triangleRegion.resize(slots.size());
         // Few pieces, because each sums the areas of all regions.
         const std::size_t piece = std::max(kPiece, slots.size() / 64 + 1);
         std::vector<std::vector<double>> areas((slots.size() + piece - 1) / piece);
-        forEachPiece(execution_.threads(), slots.size(), piece,
+        forEachPiece(execution_, slots.size(), piece,
                      [&](std::size_t index, std::size_t begin, std::size_t end) {
                          execution_.checkpoint();
                          areas[index].assign(mesh.regions.size(), 0.0);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace tessera
 {
@@ -51,7 +52,7 @@ private:
     {
         const std::size_t slots = t_.triangles.size();
         std::vector<std::size_t> start((slots + kPiece - 1) / kPiece + 1, 0);
-        forEachPiece(execution_.threads(), slots, kPiece,
+        forEachPiece(execution_, slots, kPiece,
                      [&](std::size_t piece, std::size_t begin, std::size_t end) {
                          for (std::size_t i = begin; i < end; ++i) {
                              start[piece + 1] += isKept(static_cast<std::uint32_t>(i)) ? 1 : 0;
@@ -60,9 +61,9 @@ private:
         for (std::size_t piece = 1; piece < start.size(); ++piece) {
             start[piece] += start[piece - 1];
         }
-        reserveTouched(execution_.threads(), order_.triangles, start.back());
+        reserveTouched(execution_, order_.triangles, start.back());
         order_.triangles.resize(start.back());
-        forEachPiece(execution_.threads(), slots, kPiece,
+        forEachPiece(execution_, slots, kPiece,
                      [&](std::size_t piece, std::size_t begin, std::size_t end) {
                          std::size_t at = start[piece];
                          for (std::size_t i = begin; i < end; ++i) {
@@ -90,7 +91,7 @@ private:
     void numberByVertex()
     {
         std::vector<std::uint32_t>& node = order_.nodeOfVertex;
-        forEachPiece(execution_.threads(), order_.triangles.size(), kPiece,
+        forEachPiece(execution_, order_.triangles.size(), kPiece,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
                          execution_.checkpoint();
                          for (std::size_t i = begin; i < end; ++i) {
@@ -100,11 +101,24 @@ private:
                              }
                          }
                      });
-        for (std::uint32_t& number : node) {
-            if (number != MeshOrder::kNoNode) {
-                number = order_.nodes++;
-            }
-        }
+        std::vector<std::uint32_t> first((node.size() + kPiece - 1) / kPiece + 1, 0);
+        forEachPiece(execution_, node.size(), kPiece,
+                     [&](std::size_t piece, std::size_t begin, std::size_t end) {
+                         for (std::size_t v = begin; v < end; ++v) {
+                             first[piece + 1] += node[v] != MeshOrder::kNoNode ? 1 : 0;
+                         }
+                     });
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        forEachPiece(execution_, node.size(), kPiece,
+                     [&](std::size_t piece, std::size_t begin, std::size_t end) {
+                         std::uint32_t number = first[piece];
+                         for (std::size_t v = begin; v < end; ++v) {
+                             if (node[v] != MeshOrder::kNoNode) {
+                                 node[v] = number++;
+                             }
+                         }
+                     });
+        order_.nodes = first.back();
     }
 
     /// Replaces the order of the kept triangles; each connected part in turn.

@@ -181,7 +181,7 @@ QualityReport::Conformity measureConformity(const Mesh& mesh, const SizeField& s
 {
     const std::size_t pieces = (mesh.triangles.size() + kPiece - 1) / kPiece;
     std::vector<EdgeRatios> ratios(pieces + 1);
-    forEachPiece(execution.threads(), mesh.triangles.size(), kPiece,
+    forEachPiece(execution, mesh.triangles.size(), kPiece,
                  [&](std::size_t piece, std::size_t begin, std::size_t end) {
                      execution.checkpoint();
                      ratios[piece] = ratiosOfTriangles(mesh, size, begin, end);
@@ -195,7 +195,7 @@ QualityReport::Conformity measureConformity(const Mesh& mesh, const SizeField& s
         result.max = std::max(result.max, piece.max);
     }
     constexpr double kFractions[] = {0.05, 0.5, 0.95};
-    const std::vector<float> at = percentiles(values, kFractions, execution.threads());
+    const std::vector<float> at = percentiles(values, kFractions, execution);
     result.p05 = at[0];
     result.median = at[1];
     result.p95 = at[2];
@@ -228,8 +228,7 @@ QualityReport measureQuality(const Mesh& mesh, const SizeField* size, const Exec
     const std::size_t count = mesh.triangles.size();
     std::vector<Partial> partials((count + kPiece - 1) / kPiece);
     ValuePieces tangents(partials.size());
-    const int threads = execution.threads();
-    forEachPiece(threads, count, kPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    forEachPiece(execution, count, kPiece, [&](std::size_t piece, std::size_t begin, std::size_t end) {
         execution.checkpoint();
         tangents[piece].reserve(end - begin);
         for (std::size_t t = begin; t < end; ++t) {
@@ -241,7 +240,7 @@ QualityReport measureQuality(const Mesh& mesh, const SizeField* size, const Exec
     });
     const Partial all = joined(partials);
     constexpr double kOnePercent[] = {0.01};
-    report.angleP01 = std::atan(percentiles(tangents, kOnePercent, threads)[0]) * kDegrees;
+    report.angleP01 = std::atan(percentiles(tangents, kOnePercent, execution)[0]) * kDegrees;
     report.maxAngle = std::atan2(1.0, all.cotangentOfLargest) * kDegrees;
     report.minQuality = all.minQuality;
     report.meanQuality = all.qualitySum / static_cast<double>(count);

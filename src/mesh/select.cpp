@@ -25,14 +25,15 @@ std::uint32_t keyOf(float value)
 }
 
 /// Values by the digit below the given number of leading bits, of those that share these bits.
-Counts countDigits(const ValuePieces& values, int leading, std::uint32_t prefix, int threads)
+Counts countDigits(const ValuePieces& values, int leading, std::uint32_t prefix,
+                   const Execution& execution)
 {
     const int shift = std::max(32 - leading - kDigitBits, 0);
     const std::uint32_t mask = (1U << std::min(kDigitBits, 32 - leading)) - 1U;
     // Several pieces at once, because adding up the counts costs as much as counting a few thousand.
     const std::size_t together = values.size() / 16 + 1;
     std::vector<Counts> counts((values.size() + together - 1) / together);
-    forEachPiece(threads, values.size(), together,
+    forEachPiece(execution, values.size(), together,
                  [&](std::size_t group, std::size_t begin, std::size_t end) {
                      Counts& own = counts[group];
                      own.fill(0);
@@ -58,9 +59,9 @@ Counts countDigits(const ValuePieces& values, int leading, std::uint32_t prefix,
 class Selection
 {
 public:
-    Selection(const ValuePieces& values, int threads)
+    Selection(const ValuePieces& values, const Execution& execution)
         : values_(values)
-        , threads_(threads)
+        , execution_(execution)
     {}
 
     float at(std::size_t rank)
@@ -86,7 +87,7 @@ private:
     {
         Level& found = levels_[static_cast<std::size_t>(level)];
         if (!found.known || found.prefix != prefix) {
-            found = {true, prefix, countDigits(values_, leading, prefix, threads_)};
+            found = {true, prefix, countDigits(values_, leading, prefix, execution_)};
         }
         return found.counts;
     }
@@ -98,20 +99,20 @@ private:
         Counts counts {};
     };
     const ValuePieces& values_;
-    int threads_;
+    const Execution& execution_;
     std::vector<Level> levels_ {3};
 };
 
 } // namespace
 
 std::vector<float> percentiles(const ValuePieces& values, std::span<const double> fractions,
-                               int threads)
+                               const Execution& execution)
 {
     std::size_t count = 0;
     for (const auto& piece : values) {
         count += piece.size();
     }
-    Selection selection(values, threads);
+    Selection selection(values, execution);
     std::vector<float> result;
     for (const double fraction : fractions) {
         result.push_back(

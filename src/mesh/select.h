@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/execution.h"
+
 #include <span>
 #include <vector>
 
@@ -14,6 +16,6 @@ using ValuePieces = std::vector<std::vector<float>>;
 /// at fraction × (count - 1) of the sorted values. Counts by the values' bits, twelve at a time, so it
 /// reads the values three times at most and moves none. Precondition: there is a value.
 std::vector<float> percentiles(const ValuePieces& values, std::span<const double> fractions,
-                               int threads);
+                               const Execution& execution);
 
 } // namespace tessera

@@ -40,6 +40,9 @@ constexpr double kScan = 0.44773576836617335;
 constexpr double kScanOfRest = 0.37903905220016616;
 constexpr double kSmooth = 0.67101007166283436;
 
+constexpr std::size_t kTrianglePiece = 1 << 15;
+constexpr std::size_t kVertexPiece = 1 << 12;
+
 constexpr std::uint8_t kListed = 1;
 constexpr std::uint8_t kTouched = 2;
 constexpr std::uint8_t kReached = 4;
@@ -68,40 +71,44 @@ void LocalImprovement::improveAround(std::span<const std::uint32_t> vertices)
 {
     scan_ = kScan;
     startList();
-    for (const std::uint32_t v : vertices) {
-        seedAround(v);
-    }
+    seedAround(vertices);
     run();
 }
 
 std::vector<std::uint32_t> LocalImprovement::touchedTriangles() const
 {
-    std::vector<std::uint32_t> triangles;
     if (isLarge(touched_)) {
-        for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
-            const auto& v = t_.triangles[i].v;
-            if (mesh_.regionOfTriangle[i] != WorkingMesh::kOutside
-                && ((mark_[v[0]] | mark_[v[1]] | mark_[v[2]]) & kTouched) != 0) {
-                triangles.push_back(i);
+        const auto find = [&](std::size_t begin, std::size_t end,
+                              std::vector<std::uint32_t>& triangles) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto& v = t_.triangles[i].v;
+                if (mesh_.regionOfTriangle[i] != WorkingMesh::kOutside
+                    && ((mark_[v[0]] | mark_[v[1]] | mark_[v[2]]) & kTouched) != 0) {
+                    triangles.push_back(static_cast<std::uint32_t>(i));
+                }
             }
-        }
-        return triangles;
+        };
+        return collectPieces<std::uint32_t>(execution_, t_.triangles.size(), kTrianglePiece, find);
     }
     const auto isTouchedBefore = [this](std::uint32_t v, std::uint32_t center) {
         return v < center && (mark_[v] & kTouched) != 0;
     };
-    for (const std::uint32_t center : touched_) {
-        t_.forEachAround(center, [&](HalfEdge h) {
-            const std::uint32_t triangle = Topology::triangleOf(h);
-            // Each triangle once: with the first of its corners.
-            if (mesh_.regionOfTriangle[triangle] != WorkingMesh::kOutside
-                && !isTouchedBefore(t_.destination(h), center)
-                && !isTouchedBefore(t_.apex(h), center)) {
-                triangles.push_back(triangle);
-            }
-        });
-    }
-    return triangles;
+    const auto find = [&](std::size_t begin, std::size_t end,
+                          std::vector<std::uint32_t>& triangles) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t center = touched_[i];
+            t_.forEachAround(center, [&](HalfEdge h) {
+                const std::uint32_t triangle = Topology::triangleOf(h);
+                // Each triangle once: with the first of its corners.
+                if (mesh_.regionOfTriangle[triangle] != WorkingMesh::kOutside
+                    && !isTouchedBefore(t_.destination(h), center)
+                    && !isTouchedBefore(t_.apex(h), center)) {
+                    triangles.push_back(triangle);
+                }
+            });
+        }
+    };
+    return collectPieces<std::uint32_t>(execution_, touched_.size(), kVertexPiece, find);
 }
 
 void LocalImprovement::run()
@@ -141,28 +148,21 @@ void LocalImprovement::seedAgain()
         seedAll();
         return;
     }
-    for (const std::uint32_t v : previous) {
-        seedAround(v);
-    }
+    seedAround(previous);
 }
 
 void LocalImprovement::seedAll()
 {
-    constexpr std::size_t kPiece = 1 << 15;
-    const std::size_t slots = t_.triangles.size();
-    std::vector<std::vector<std::uint32_t>> bad((slots + kPiece - 1) / kPiece);
-    forEachPiece(execution_.threads(), slots, kPiece,
-                 [&](std::size_t piece, std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i) {
-                         if (isBad(static_cast<std::uint32_t>(i))) {
-                             bad[piece].push_back(static_cast<std::uint32_t>(i));
-                         }
-                     }
-                 });
-    for (const std::vector<std::uint32_t>& found : bad) {
-        for (const std::uint32_t triangle : found) {
-            seed(triangle);
+    const auto find = [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& bad) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (isBad(static_cast<std::uint32_t>(i))) {
+                bad.push_back(static_cast<std::uint32_t>(i));
+            }
         }
+    };
+    for (const std::uint32_t triangle :
+         collectPieces<std::uint32_t>(execution_, t_.triangles.size(), kTrianglePiece, find)) {
+        seed(triangle);
     }
 }
 
@@ -197,13 +197,21 @@ void LocalImprovement::seed(std::uint32_t triangle)
     }
 }
 
-void LocalImprovement::seedAround(std::uint32_t vertex)
+void LocalImprovement::seedAround(std::span<const std::uint32_t> vertices)
 {
-    t_.forEachAround(vertex, [this](HalfEdge h) {
-        if (isBad(Topology::triangleOf(h))) {
-            seed(Topology::triangleOf(h));
+    const auto find = [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& bad) {
+        for (std::size_t i = begin; i < end; ++i) {
+            t_.forEachAround(vertices[i], [&](HalfEdge h) {
+                if (isBad(Topology::triangleOf(h))) {
+                    bad.push_back(Topology::triangleOf(h));
+                }
+            });
         }
-    });
+    };
+    for (const std::uint32_t triangle :
+         collectPieces<std::uint32_t>(execution_, vertices.size(), kVertexPiece, find)) {
+        seed(triangle);
+    }
 }
 
 void LocalImprovement::add(std::uint32_t vertex)

@@ -39,7 +39,7 @@ private:
     bool isLarge(const std::vector<std::uint32_t>& list) const;
     bool isBad(std::uint32_t triangle) const;
     void seed(std::uint32_t triangle);
-    void seedAround(std::uint32_t vertex);
+    void seedAround(std::span<const std::uint32_t> vertices);
     void add(std::uint32_t vertex);
     void growList();
     void growLargeList();

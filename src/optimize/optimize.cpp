@@ -25,12 +25,12 @@ OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, const RefineOp
                         Execution& execution)
 {
     OptimizeReport report;
-    const BorderRecords border(mesh);
+    const BorderRecords border(mesh, execution);
     LocalImprovement improvement(mesh, size, report, execution);
     improvement.improveAll();
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const std::vector<std::uint32_t> candidates = improvement.touchedTriangles();
-        report.unreached = findUnreached(mesh, options, candidates);
+        report.unreached = findUnreached(mesh, options, candidates, execution);
         if (report.unreached.empty() || attempt + 1 == kAttempts) {
             break;
         }

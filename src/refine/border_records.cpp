@@ -2,12 +2,45 @@
 
 #include "refine/border_records.h"
 
+#include "base/parallel.h"
+
 #include <algorithm>
+#include <vector>
 
 namespace tessera
 {
 
-BorderRecords::BorderRecords(WorkingMesh& mesh)
+namespace
+{
+
+/// The half-edges of outer triangles whose twins are the border without constraints.
+std::vector<HalfEdge> findBorder(const WorkingMesh& mesh, const Execution& execution)
+{
+    constexpr std::size_t kPiece = 1 << 16;
+    const Triangulation& t = mesh.triangulation;
+    const auto isKept = [&](std::size_t i) {
+        return mesh.regionOfTriangle[i] != WorkingMesh::kOutside;
+    };
+    const auto find = [&](std::size_t begin, std::size_t end, std::vector<HalfEdge>& border) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto triangle = static_cast<std::uint32_t>(i);
+            if (isKept(i) || t.isDead(triangle)) {
+                continue;
+            }
+            for (std::uint32_t side = 0; side < 3; ++side) {
+                const HalfEdge h = Topology::halfEdge(triangle, side);
+                if (!t.isConstrained(h) && isKept(Topology::triangleOf(t.twin(h)))) {
+                    border.push_back(h);
+                }
+            }
+        }
+    };
+    return collectPieces<HalfEdge>(execution, t.triangles.size(), kPiece, find);
+}
+
+} // namespace
+
+BorderRecords::BorderRecords(WorkingMesh& mesh, const Execution& execution)
     : mesh_(mesh)
 {
     Triangulation& t = mesh.triangulation;
@@ -15,18 +48,9 @@ BorderRecords::BorderRecords(WorkingMesh& mesh)
         firstUseSet_ = std::max(firstUseSet_, edge.useSet + 1);
     }
     std::uint32_t next = firstUseSet_;
-    for (std::uint32_t i = 0; i < t.triangles.size(); ++i) {
-        if (t.isDead(i) || mesh.regionOfTriangle[i] != WorkingMesh::kOutside) {
-            continue;
-        }
-        for (std::uint32_t side = 0; side < 3; ++side) {
-            const HalfEdge h = Topology::halfEdge(i, side);
-            const std::uint32_t other = Topology::triangleOf(t.twin(h));
-            if (!t.isConstrained(h) && mesh.regionOfTriangle[other] != WorkingMesh::kOutside) {
-                t.setConstrained(h, true);
-                mesh.edges.push_back({t.origin(h), t.destination(h), next++, nullptr});
-            }
-        }
+    for (const HalfEdge h : findBorder(mesh, execution)) {
+        t.setConstrained(h, true);
+        mesh.edges.push_back({t.origin(h), t.destination(h), next++, nullptr});
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/execution.h"
 #include "refine/refine.h"
 
 namespace tessera
@@ -12,7 +13,7 @@ namespace tessera
 class BorderRecords
 {
 public:
-    explicit BorderRecords(WorkingMesh& mesh);
+    BorderRecords(WorkingMesh& mesh, const Execution& execution);
     ~BorderRecords();
     BorderRecords(const BorderRecords&) = delete;
     BorderRecords& operator=(const BorderRecords&) = delete;

@@ -10,6 +10,8 @@
 
 #include "refine/refine.h"
 
+#include "base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,6 +25,7 @@ namespace tessera
 namespace
 {
 
+constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMostTriangles = 1e12;
 constexpr std::size_t kMostParts = 2048;
 constexpr int kDeepest = 60;
@@ -133,6 +136,43 @@ double areaLimitOf(const RefineOptions& options, std::uint32_t region)
     return limit;
 }
 
+/// Targets that triangles miss.
+struct Misses
+{
+    std::vector<Unreached> angles;
+    std::vector<Unreached> areas;
+
+    void add(const WorkingMesh& mesh, const RefineOptions& options, double tangentLimit,
+             std::uint32_t triangle)
+    {
+        const Triangulation& t = mesh.triangulation;
+        if (!t.isFinite(triangle) || mesh.regionOfTriangle[triangle] == WorkingMesh::kOutside) {
+            return;
+        }
+        const auto& v = t.triangles[triangle].v;
+        const Vec2 p[3] = {t.points[v[0]], t.points[v[1]], t.points[v[2]]};
+        double squared[3] = {squaredLength(p[2] - p[1]), squaredLength(p[0] - p[2]),
+                             squaredLength(p[1] - p[0])};
+        const double twiceArea = cross(p[1] - p[0], p[2] - p[0]);
+        const Vec2 center = (1.0 / 3.0) * (p[0] + p[1] + p[2]);
+        if (squared[1] < squared[0]) {
+            std::swap(squared[0], squared[1]);
+        }
+        if (squared[2] < squared[0]) {
+            std::swap(squared[0], squared[2]);
+        }
+        const double twiceDot = squared[1] + squared[2] - squared[0];
+        if (twiceArea < 0.5 * tangentLimit * twiceDot) {
+            angles.push_back({"min_angle", center,
+                              std::atan2(twiceArea, 0.5 * twiceDot) * kDegrees, options.minAngle});
+        }
+        const double areaLimit = areaLimitOf(options, mesh.regionOfTriangle[triangle]);
+        if (areaLimit > 0.0 && 0.5 * twiceArea > areaLimit) {
+            areas.push_back({"max_area", center, 0.5 * twiceArea, areaLimit});
+        }
+    }
+};
+
 } // namespace
 
 double sizeForArea(double area)
@@ -182,54 +222,39 @@ double estimateTriangles(const WorkingMesh& mesh, const SizeField& size,
     return std::min(inside + static_cast<double>(mesh.edges.size()), kMostTriangles);
 }
 
-std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options)
+std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options,
+                                     const Execution& execution)
 {
     std::vector<std::uint32_t> all(mesh.triangulation.triangles.size());
     std::iota(all.begin(), all.end(), 0U);
-    return findUnreached(mesh, options, all);
+    return findUnreached(mesh, options, all, execution);
 }
 
 std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options,
-                                     std::span<const std::uint32_t> triangles)
+                                     std::span<const std::uint32_t> triangles,
+                                     const Execution& execution)
 {
-    const Triangulation& t = mesh.triangulation;
-    constexpr double degrees = 180.0 / std::numbers::pi;
-    const double tangentLimit = std::tan(options.minAngle / degrees);
-    std::vector<Unreached> angles;
-    std::vector<Unreached> areas;
-    for (const std::uint32_t i : triangles) {
-        if (!t.isFinite(i) || mesh.regionOfTriangle[i] == WorkingMesh::kOutside) {
-            continue;
-        }
-        const auto& v = t.triangles[i].v;
-        const Vec2 p[3] = {t.points[v[0]], t.points[v[1]], t.points[v[2]]};
-        double squared[3] = {squaredLength(p[2] - p[1]), squaredLength(p[0] - p[2]),
-                             squaredLength(p[1] - p[0])};
-        const double twiceArea = cross(p[1] - p[0], p[2] - p[0]);
-        const Vec2 center = (1.0 / 3.0) * (p[0] + p[1] + p[2]);
-        if (squared[1] < squared[0]) {
-            std::swap(squared[0], squared[1]);
-        }
-        if (squared[2] < squared[0]) {
-            std::swap(squared[0], squared[2]);
-        }
-        const double twiceDot = squared[1] + squared[2] - squared[0];
-        if (twiceArea < 0.5 * tangentLimit * twiceDot) {
-            angles.push_back({"min_angle", center,
-                              std::atan2(twiceArea, 0.5 * twiceDot) * degrees, options.minAngle});
-        }
-        const double areaLimit = areaLimitOf(options, mesh.regionOfTriangle[i]);
-        if (areaLimit > 0.0 && 0.5 * twiceArea > areaLimit) {
-            areas.push_back({"max_area", center, 0.5 * twiceArea, areaLimit});
-        }
+    constexpr std::size_t kPiece = 1 << 14;
+    const double tangentLimit = std::tan(options.minAngle / kDegrees);
+    std::vector<Misses> misses((triangles.size() + kPiece - 1) / kPiece);
+    forEachPiece(execution, triangles.size(), kPiece,
+                 [&](std::size_t piece, std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                         misses[piece].add(mesh, options, tangentLimit, triangles[i]);
+                     }
+                 });
+    Misses all;
+    for (const Misses& part : misses) {
+        all.angles.insert(all.angles.end(), part.angles.begin(), part.angles.end());
+        all.areas.insert(all.areas.end(), part.areas.begin(), part.areas.end());
     }
-    std::stable_sort(angles.begin(), angles.end(),
+    std::stable_sort(all.angles.begin(), all.angles.end(),
                      [](const auto& a, const auto& b) { return a.value < b.value; });
-    std::stable_sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) {
+    std::stable_sort(all.areas.begin(), all.areas.end(), [](const auto& a, const auto& b) {
         return a.value / a.target > b.value / b.target;
     });
-    angles.insert(angles.end(), areas.begin(), areas.end());
-    return angles;
+    all.angles.insert(all.angles.end(), all.areas.begin(), all.areas.end());
+    return all.angles;
 }
 
 } // namespace tessera

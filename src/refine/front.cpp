@@ -73,7 +73,7 @@ public:
 
     FrontResult run(std::uint32_t firstGood, std::uint32_t endGood)
     {
-        reserveTouched(execution_.threads(), stamp_, t_.triangles.capacity());
+        reserveTouched(execution_, stamp_, t_.triangles.capacity());
         state_.reserve(t_.triangles.capacity());
         grow();
         std::fill(state_.begin() + firstGood, state_.begin() + endGood, State::Accepted);

@@ -24,6 +24,7 @@
 #include "delaunay/delaunay.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace tessera
 {
@@ -49,13 +50,15 @@ public:
 
     LatticePatch build()
     {
-        writePoints();
-        execution_.checkpoint();
-        writeTriangles();
+        numberPoints();
+        collectPairs();
         if (patch_.firstTriangle == patch_.endTriangle) {
-            dropPoints();
             return {};
         }
+        makeRoomForAll();
+        execution_.checkpoint();
+        writePoints();
+        writeTriangles();
         execution_.checkpoint();
         traceRim();
         if (!findRimEdges() || !carve()) {
@@ -76,22 +79,42 @@ private:
         return firstVertex_ + run.base + static_cast<std::uint32_t>(i - run.first);
     }
 
-    void writePoints()
+    void numberPoints()
     {
         firstVertex_ = static_cast<std::uint32_t>(t_.points.size());
-        std::uint32_t count = 0;
+        endVertex_ = firstVertex_;
         for (LatticeRun& run : runs_) {
-            run.base = count;
-            count += static_cast<std::uint32_t>(run.last - run.first + 1);
+            run.base = endVertex_ - firstVertex_;
+            endVertex_ += static_cast<std::uint32_t>(run.last - run.first + 1);
         }
-        const std::size_t total = firstVertex_ + std::size_t {count};
-        reserveTouched(execution_.threads(), t_.points, total + total / 8);
-        t_.points.resize(total);
-        reserveTouched(execution_.threads(), t_.incident, total + total / 8);
-        t_.incident.resize(total, Topology::kDead);
-        editor_.mesh().origin.resize(total, VertexOrigin::Interior);
+    }
+
+    /// The first writing to new memory costs more than the rest: threads share it array by array.
+    void makeRoomForAll()
+    {
+        const auto extend = [](auto& array, std::size_t size, const auto& value) {
+            array.reserve(size + size / 8);
+            array.resize(size, value);
+        };
+        WorkingMesh& mesh = editor_.mesh();
+        runTogether(
+            execution_, [&] { extend(t_.triangles, patch_.endTriangle, Topology::Triangle {}); },
+            [&] { extend(t_.points, endVertex_, Vec2 {}); },
+            [&] { extend(mesh.regionOfTriangle, patch_.endTriangle, 0U); },
+            [&] { sizes_.append(endVertex_, lattice_.h); },
+            [&] { extend(t_.incident, endVertex_, Topology::kDead); },
+            // By lattice point: the half-edge of the inverted triangle below (i, j), (i + 1, j).
+            [&] { below_.assign(endVertex_ - firstVertex_, kUnlinked); },
+            [&] {
+                extend(mesh.origin, endVertex_, VertexOrigin::Interior);
+                inserted_.assign(endVertex_ - firstVertex_, 0);
+            });
+    }
+
+    void writePoints()
+    {
         constexpr std::size_t kRuns = 64;
-        forEachPiece(execution_.threads(), runs_.size(), kRuns,
+        forEachPiece(execution_, runs_.size(), kRuns,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
                          for (std::size_t k = begin; k < end; ++k) {
                              const LatticeRun& run = runs_[k];
@@ -100,7 +123,6 @@ private:
                              }
                          }
                      });
-        sizes_.append(static_cast<std::uint32_t>(total), lattice_.h, execution_.threads());
     }
 
     /// Calls f(lower run, upper run) for all pairs of neighboring rows that may share triangles,
@@ -161,18 +183,9 @@ private:
 
     void writeTriangles()
     {
-        const std::size_t count = collectPairs();
-        const std::size_t total = t_.triangles.size() + count;
-        const int threads = execution_.threads();
-        reserveTouched(threads, t_.triangles, total + total / 8);
-        t_.triangles.resize(total);
         std::vector<std::uint32_t>& region = editor_.mesh().regionOfTriangle;
-        reserveTouched(threads, region, total + total / 8);
-        region.resize(total);
-        // By lattice point: the half-edge of the inverted triangle below (i, j), (i + 1, j).
-        below_.assign(t_.points.size() - firstVertex_, kUnlinked);
         const std::vector<Block> blocks = divideIntoBlocks();
-        forEachPiece(threads, blocks.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
+        forEachPiece(execution_, blocks.size(), 1, [&](std::size_t b, std::size_t, std::size_t) {
             execution_.checkpoint();
             for (std::size_t k = blocks[b].begin; k < blocks[b].end; ++k) {
                 const bool isFirstRow
@@ -188,8 +201,7 @@ private:
         collectRim();
     }
 
-    /// Returns the number of triangles.
-    std::size_t collectPairs()
+    void collectPairs()
     {
         patch_.firstTriangle = static_cast<std::uint32_t>(t_.triangles.size());
         patch_.endTriangle = patch_.firstTriangle;
@@ -201,7 +213,6 @@ private:
                 patch_.endTriangle += count;
             }
         });
-        return patch_.endTriangle - patch_.firstTriangle;
     }
 
     std::vector<Block> divideIntoBlocks() const
@@ -239,23 +250,18 @@ private:
     void collectRim()
     {
         constexpr std::size_t kPiece = 1 << 15;
-        const std::size_t count = patch_.endTriangle - patch_.firstTriangle;
-        std::vector<std::vector<HalfEdge>> rims((count + kPiece - 1) / kPiece);
-        forEachPiece(execution_.threads(), count, kPiece,
-                     [&](std::size_t piece, std::size_t begin, std::size_t end) {
-                         for (std::size_t i = begin; i < end; ++i) {
-                             const auto slot
-                                 = patch_.firstTriangle + static_cast<std::uint32_t>(i);
-                             for (std::uint32_t side = 0; side < 3; ++side) {
-                                 if (link(half(slot, side)) == kUnlinked) {
-                                     rims[piece].push_back(half(slot, side));
-                                 }
-                             }
-                         }
-                     });
-        for (const std::vector<HalfEdge>& rim : rims) {
-            patch_.rim.insert(patch_.rim.end(), rim.begin(), rim.end());
-        }
+        const auto find = [&](std::size_t begin, std::size_t end, std::vector<HalfEdge>& rim) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto slot = patch_.firstTriangle + static_cast<std::uint32_t>(i);
+                for (std::uint32_t side = 0; side < 3; ++side) {
+                    if (link(half(slot, side)) == kUnlinked) {
+                        rim.push_back(half(slot, side));
+                    }
+                }
+            }
+        };
+        patch_.rim = collectPieces<HalfEdge>(
+            execution_, patch_.endTriangle - patch_.firstTriangle, kPiece, find);
     }
 
     /// Upright and inverted triangles alternate from left to right. Returns the next free slot.
@@ -311,7 +317,6 @@ private:
     /// Walks along every loop of the rim and inserts its vertices.
     void traceRim()
     {
-        inserted_.assign(t_.points.size() - firstVertex_, 0);
         for (const HalfEdge start : patch_.rim) {
             HalfEdge h = start;
             while (link(h) == kUnlinked) {
@@ -380,10 +385,24 @@ private:
             t_.freeList.push_back(triangle);
             editor_.mesh().regionOfTriangle[triangle] = WorkingMesh::kOutside;
         }
-        patch_.points = static_cast<std::size_t>(
-            std::count_if(t_.incident.begin() + firstVertex_, t_.incident.end(),
-                          [](HalfEdge h) { return h != Topology::kDead; }));
+        patch_.points = countUsedPoints();
         return true;
+    }
+
+    std::size_t countUsedPoints() const
+    {
+        constexpr std::size_t kPiece = 1 << 17;
+        const std::size_t count = endVertex_ - firstVertex_;
+        std::vector<std::size_t> used((count + kPiece - 1) / kPiece);
+        forEachPiece(execution_, count, kPiece,
+                     [&](std::size_t piece, std::size_t begin, std::size_t end) {
+                         const auto first = t_.incident.begin() + firstVertex_;
+                         used[piece] = static_cast<std::size_t>(
+                             std::count_if(first + static_cast<std::ptrdiff_t>(begin),
+                                           first + static_cast<std::ptrdiff_t>(end),
+                                           [](HalfEdge h) { return h != Topology::kDead; }));
+                     });
+        return std::accumulate(used.begin(), used.end(), std::size_t {0});
     }
 
     bool collectInside()
@@ -428,13 +447,6 @@ private:
         }
     }
 
-    void dropPoints()
-    {
-        t_.points.resize(firstVertex_);
-        t_.incident.resize(firstVertex_);
-        editor_.mesh().origin.resize(firstVertex_);
-    }
-
     MeshEditor& editor_;
     Triangulation& t_;
     VertexSizes& sizes_;
@@ -443,6 +455,7 @@ private:
     Execution& execution_;
     LatticePatch patch_;
     std::uint32_t firstVertex_ = 0;
+    std::uint32_t endVertex_ = 0;
     std::vector<Pair> pairs_;
     HalfEdge hint_ = kUnlinked;
     std::vector<HalfEdge> below_;

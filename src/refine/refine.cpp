@@ -62,7 +62,7 @@ RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOption
                     "The smallest angle must be between 0 and 33 degrees.");
     }
     RefineReport report;
-    const BorderRecords border(mesh);
+    const BorderRecords border(mesh, execution);
     MeshEditor editor(mesh);
     VertexSizes sizes(editor, size, options);
     sizes.prepare(report, execution);
@@ -83,7 +83,7 @@ RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOption
     }
     refineDelaunay(editor, size, rest, candidates, report, execution);
     if (!options.optimizeFollows) {
-        report.unreached = findUnreached(mesh, options);
+        report.unreached = findUnreached(mesh, options, execution);
     }
     return report;
 }

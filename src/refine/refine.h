@@ -92,9 +92,11 @@ void requireFewTriangles(double triangles, const RefineOptions& options);
 
 /// What a finished mesh does not reach: angles below options.minAngle ("min_angle", degrees) and
 /// areas above the limits ("max_area"), worst first, at the triangles' centroids.
-std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options);
+std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options,
+                                     const Execution& execution);
 /// The same of these triangles only.
 std::vector<Unreached> findUnreached(const WorkingMesh& mesh, const RefineOptions& options,
-                                     std::span<const std::uint32_t> triangles);
+                                     std::span<const std::uint32_t> triangles,
+                                     const Execution& execution);
 
 } // namespace tessera

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/execution.h"
-#include "base/parallel.h"
 #include "refine/mesh_editor.h"
 #include "refine/refine.h"
 #include "sizing/size_field.h"
@@ -36,9 +35,9 @@ public:
         h_[vertex] = h;
     }
     /// Gives all further vertices up to end the size h.
-    void append(std::uint32_t end, double h, int threads)
+    void append(std::uint32_t end, double h)
     {
-        reserveTouched(threads, h_, end + end / 8);
+        h_.reserve(end + end / 8);
         h_.resize(end, h);
     }
     void requireFew(std::size_t triangles) const

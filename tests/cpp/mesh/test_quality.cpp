@@ -163,7 +163,9 @@ TEST(Quality, PercentilesAreThoseOfTheSortedValues)
         }
         std::sort(all.begin(), all.end());
         const double fractions[] = {0.0, 0.05, 0.5, 0.95, 1.0};
-        const std::vector<float> found = percentiles(values, fractions, 2);
+        Execution execution;
+        execution.setThreads(2);
+        const std::vector<float> found = percentiles(values, fractions, execution);
         for (std::size_t i = 0; i < found.size(); ++i) {
             EXPECT_EQ(found[i], all[static_cast<std::size_t>(fractions[i] * 4999.0)]);
         }
