@@ -14,6 +14,7 @@ from FreeCAD import Vector
 import tessera
 from tessera.objects import planar_mesh
 from tessera.shapes import edge_of_geometry
+from tessera.tools import preferences
 from tessera.tools.request import MeshRequest, default_size
 
 
@@ -42,6 +43,9 @@ def test_the_format_of_files(document):
         "Ignored": "App::PropertyLinkSubListGlobal",
         "Construction": "App::PropertyBool",
         "Size": "App::PropertyLength",
+        "Count": "App::PropertyIntegerConstraint",
+        "MaxArea": "App::PropertyArea",
+        "FreezeBoundary": "App::PropertyBool",
         "GrowthRate": "App::PropertyFloatConstraint",
         "ElementOrder": "App::PropertyIntegerConstraint",
         "Fill": "App::PropertyEnumeration",
@@ -91,6 +95,66 @@ def test_plate(document):
     assert 0.9 < obj.MeanQuality <= 1.0
     assert (obj.Regions, obj.Crossings) == (1, 0)
     assert any("hole" in message for message in obj.Messages)
+
+
+def test_number_of_triangles(document):
+    obj = mesh_of(sketches.plate(document), size=1.0, count=3000)
+    assert 2850 <= obj.Triangles <= 3150
+    assert obj.Size.Value == 1.0  # it does not count, and stays
+    (found,) = [message for message in obj.Messages if "size found" in message]
+    size = FreeCAD.Units.Quantity(re.search(r"is (.*)\.", found).group(1)).Value
+    assert size > 1.0
+    obj.Count, obj.Size = 0, size
+    recompute(obj)
+    assert 2850 <= obj.Triangles <= 3150
+    assert not any("size found" in message for message in obj.Messages)
+
+
+def test_largest_area(document):
+    obj = mesh_of(sketches.plate(document), size=20.0)
+    before = obj.Triangles
+    obj.MaxArea = "10 mm^2"
+    recompute(obj)
+    assert obj.Triangles > 2 * before
+    fem = obj.FemMesh
+    for face in fem.Faces:
+        a, b, c = (fem.getNodeById(node) for node in fem.getElementNodes(face))
+        assert (b - a).cross(c - a).Length / 2.0 <= 10.0 + 1e-9
+
+
+def test_frozen_boundary(document):
+    source = sketches.plate(document)
+    obj = mesh_of(source, size=5.0, freeze_boundary=True)
+    groups = {obj.FemMesh.getGroupName(g): g for g in obj.FemMesh.Groups}
+    assert len(obj.FemMesh.getGroupElements(groups["Plate_Geometry0"])) == 1
+    assert len(obj.FemMesh.getGroupElements(groups["Plate_Geometry4"])) >= 18
+    obj.FreezeBoundary = False
+    recompute(obj)
+    groups = {obj.FemMesh.getGroupName(g): g for g in obj.FemMesh.Groups}
+    assert len(obj.FemMesh.getGroupElements(groups["Plate_Geometry0"])) > 1
+
+
+def test_threads_that_the_user_prefers(document, monkeypatch):
+    given = []
+    mesh = tessera.mesh
+
+    def observed(*args, **options):
+        given.append(options["threads"])
+        return mesh(*args, **options)
+
+    monkeypatch.setattr(tessera, "mesh", observed)
+    obj = mesh_of(sketches.plate(document), size=10.0)
+    count = obj.Triangles
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    try:
+        for number in (1, -1):
+            group.SetInt("Threads", number)
+            obj.touch()
+            recompute(obj)
+            assert obj.Triangles == count
+    finally:
+        group.RemInt("Threads")
+    assert given == [None, 1, None]
 
 
 def test_results_are_read_only(document):

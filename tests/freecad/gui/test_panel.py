@@ -159,6 +159,57 @@ def test_numbers_that_are_shown_rounded_stay(document):
     assert (obj.MeshRevision, obj.Size.Value, obj.GrowthRate) == (revision, 20.0 / 3.0, 0.1234)
 
 
+def test_number_of_triangles_instead_of_a_size(document):
+    panel = window.open_panel(sketches.plate(document))
+    panel.set_size("20 mm")
+    panel.widget("countField").setValue(3000)
+    assert not panel.widget("sizeField").isEnabled()
+    panel.mesh()
+    assert not panel.widget("sizeField").isEnabled()
+    assert "size found" in panel.message
+    panel.press("Ok")
+    (mesh,) = window.planar_meshes(document)
+    assert (mesh.Count, mesh.Size.Value) == (3000, 20.0)
+    assert 2850 <= mesh.Triangles <= 3150
+
+    panel = window.double_click(mesh)
+    assert panel.widget("countField").value() == 3000
+    panel.widget("countField").setValue(0)
+    assert panel.widget("sizeField").isEnabled()
+    panel.mesh()
+    panel.press("Ok")
+    assert mesh.Count == 0
+    assert mesh.Triangles < 2850
+
+
+def test_largest_area_and_frozen_boundary(document):
+    panel = window.open_panel(sketches.plate(document))
+    panel.set_size("20 mm")
+    field = panel.widget("maxAreaField")
+    for text in ("5 kg", "10 mm", "-1", "nan", ""):
+        field.setText(text)
+        panel.mesh()
+        assert f"'{text}' cannot be used" in panel.message
+    del field
+    panel.widget("maxAreaField").setText("0.1 cm^2")
+    panel.widget("freezeField").setChecked(True)
+    panel.mesh()
+    assert "triangles" in panel.message
+    panel.press("Ok")
+    (mesh,) = window.planar_meshes(document)
+    assert mesh.MaxArea.getValueAs("mm^2").Value == pytest.approx(10.0)
+    assert mesh.FreezeBoundary
+    groups = {mesh.FemMesh.getGroupName(g): g for g in mesh.FemMesh.Groups}
+    assert len(mesh.FemMesh.getGroupElements(groups["Plate_Geometry0"])) == 1
+    revision = mesh.MeshRevision
+
+    panel = window.double_click(mesh)
+    assert panel.widget("maxAreaField").text().startswith("10")
+    assert panel.widget("freezeField").isChecked()
+    panel.press("Ok")
+    assert mesh.MeshRevision == revision
+
+
 def test_source_that_was_deleted(document):
     panel = window.open_panel(sketches.plate(document))
     document.removeObject("Plate")

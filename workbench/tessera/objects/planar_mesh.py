@@ -14,6 +14,7 @@ from tessera.objects.size_properties import (
     local_sizes_of,
 )
 from tessera.shapes import container_placement
+from tessera.tools import preferences
 from tessera.tools.links import CONTAINER_PLACEMENTS, containers_moved, note_containers
 from tessera.tools.mesh_history import MeshHistory
 from tessera.tools.plain_errors import recomputing
@@ -88,6 +89,35 @@ PROPERTIES = (
         "App::PropertyLength",
         "Mesh",
         QT_TRANSLATE_NOOP("App::Property", "Length of the mesh edges"),
+        None,
+        _NORMAL,
+    ),
+    (
+        "Count",
+        "App::PropertyIntegerConstraint",
+        "Mesh",
+        QT_TRANSLATE_NOOP(
+            "App::Property", "Number of triangles to aim for, instead of Size; 0: Size decides"
+        ),
+        (0, 0, 100_000_000, 1000),
+        _NORMAL,
+    ),
+    (
+        "MaxArea",
+        "App::PropertyArea",
+        "Mesh",
+        QT_TRANSLATE_NOOP("App::Property", "No triangle is larger than this; 0: no bound"),
+        None,
+        _NORMAL,
+    ),
+    (
+        "FreezeBoundary",
+        "App::PropertyBool",
+        "Mesh",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Straight edges stay whole; curved ones are divided by size and curvature only",
+        ),
         None,
         _NORMAL,
     ),
@@ -241,7 +271,7 @@ class PlanarMesh(Stateless):
 
     def _mesh(self, obj, request):
         with RecomputeProgress(translate("Tessera", "Meshing {}").format(obj.Label)) as progress:
-            return request.mesh(request.prepare(), progress)
+            return request.mesh(request.prepare(), progress, threads=preferences.threads())
 
     def _publish(self, obj, request, mesh):
         fem = mesh.to_fem()
@@ -262,7 +292,7 @@ class PlanarMesh(Stateless):
         obj.MeanQuality = report["mean_quality"]
         obj.Regions = report["regions"]
         obj.Crossings = report["crossings"]
-        obj.Messages = report["messages"]
+        obj.Messages = report["messages"] + _size_found(report)
 
     def onChanged(self, obj, name):
         """Called by FreeCAD after each change of a property, also by undo and redo."""
@@ -311,6 +341,9 @@ def request_of(obj):
         source=obj.Source,
         faces=faces_of(obj),
         size=obj.Size.Value,
+        count=obj.Count,
+        max_area=obj.MaxArea.Value,
+        freeze_boundary=obj.FreezeBoundary,
         growth=obj.GrowthRate,
         order=obj.ElementOrder,
         fill=obj.Fill,
@@ -330,6 +363,14 @@ def request_of(obj):
     )
 
 
+def _size_found(report):
+    """Which size gives the number of triangles that was asked for: a line, or none."""
+    if "count" not in report:
+        return []
+    size = FreeCAD.Units.Quantity(report["count"]["size"], FreeCAD.Units.Length).UserString
+    return [translate("Tessera", "The size found is {}.").format(size)]
+
+
 def apply_request(obj, request):
     """Sets the object's properties, as far as they differ: a property that is set counts as
     changed."""
@@ -337,6 +378,9 @@ def apply_request(obj, request):
         "Source": request.source,
         "Faces": (request.source, list(request.faces)) if request.faces else None,
         "Size": request.size,
+        "Count": request.count,
+        "MaxArea": request.max_area,
+        "FreezeBoundary": request.freeze_boundary,
         "GrowthRate": request.growth,
         "ElementOrder": request.order,
         "Fill": request.fill,
@@ -358,6 +402,9 @@ def apply_request(obj, request):
         "Source": current.source is request.source,
         "Faces": current.faces == request.faces,
         "Size": current.size == request.size,
+        "Count": current.count == request.count,
+        "MaxArea": current.max_area == request.max_area,
+        "FreezeBoundary": current.freeze_boundary == request.freeze_boundary,
         "GrowthRate": current.growth == request.growth,
         "ElementOrder": current.order == request.order,
         "Fill": current.fill == request.fill,

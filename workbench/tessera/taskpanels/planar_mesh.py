@@ -90,6 +90,8 @@ class PlanarMeshPanel(TaskPanel):
             self._meshed = [request]
         self._shown = request
         self._size.set(request.size)
+        form.countField.setValue(request.count)
+        form.freezeField.setChecked(request.freeze_boundary)
         self._weld.set(request.weld)
         self._growth.set(request.growth)
         form.orderField.setCurrentIndex(request.order - 1)
@@ -115,6 +117,11 @@ class PlanarMeshPanel(TaskPanel):
         forms.connect(form.stopButton, "clicked()", self.stop)
         forms.connect(form.addButton, "clicked()", self._add_roles)
         forms.connect(form.removeButton, "clicked()", self._remove_roles)
+        forms.connect(form.countField, "valueChanged(int)", self._enable_size)
+
+    def _enable_size(self, count):
+        """A number of triangles decides instead of the size."""
+        self._main.sizeField.setEnabled(count == 0)
 
     def _source_text(self):
         names = []
@@ -177,6 +184,8 @@ class PlanarMeshPanel(TaskPanel):
             source=target.source,
             faces=tuple(target.faces),
             size=self._size.get(),
+            count=self._main.countField.value(),
+            freeze_boundary=self._main.freezeField.isChecked(),
             weld=self._weld.get(),
             growth=self._growth.get(),
             order=self._main.orderField.currentIndex() + 1,
@@ -373,15 +382,17 @@ class PlanarMeshPanel(TaskPanel):
         form.stopButton.setVisible(running)
         form.stopButton.setEnabled(True)
         for widget in (
-            form.sizeField,
+            form.countField,
             form.growthField,
             form.orderField,
             form.fillField,
             form.weldField,
+            form.freezeField,
             form.constraintsBox,
             self._sizes.form,
         ):
             widget.setEnabled(not running)
+        form.sizeField.setEnabled(not running and form.countField.value() == 0)
 
     def _show_message(self, text, kind=None):
         icon = QtGui.QPixmap()

@@ -10,7 +10,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from tessera.tools import forms, resources
-from tessera.tools.number_field import NumberField, length_of, length_text
+from tessera.tools.number_field import AreaField, NumberField, length_of, length_text
 from tessera.tools.request import LocalSize
 from tessera.tools.selection import picked_point, selected_places
 
@@ -36,6 +36,7 @@ class SizesForm(QtCore.QObject):
         self._filling = False
         self._min_size = NumberField(self.form.minSizeField)
         self._chord_error = NumberField(self.form.chordErrorField)
+        self._max_area = AreaField(self.form.maxAreaField)
         self._default = 0.0
         self._table = self.form.sizeTable
         self._name_columns()
@@ -88,6 +89,7 @@ class SizesForm(QtCore.QObject):
         self._default = request.size
         self._min_size.set(request.min_size)
         self._chord_error.set(request.chord_error)
+        self._max_area.set(request.max_area)
         form.curvatureField.setValue(request.curvature)
         form.gapField.setValue(request.gap)
         form.expressionField.setText(request.expression)
@@ -104,6 +106,7 @@ class SizesForm(QtCore.QObject):
         return {
             "min_size": self._min_size.get(),
             "chord_error": self._chord_error.get(),
+            "max_area": self._max_area.get(),
             "curvature": self.form.curvatureField.value(),
             "gap": self.form.gapField.value(),
             "expression": self.form.expressionField.text(),

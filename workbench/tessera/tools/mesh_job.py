@@ -6,6 +6,7 @@ import threading
 from PySide import QtCore
 
 import tessera
+from tessera.tools import preferences
 
 
 class MeshJob(QtCore.QObject):
@@ -21,6 +22,7 @@ class MeshJob(QtCore.QObject):
         self._requests = requests
         self._prepared = []
         self._execution = None
+        self._threads = preferences.threads()
         self._thread = None
         self.cancelled = False  #: a result that was already on its way is not wanted any more
 
@@ -57,7 +59,7 @@ class MeshJob(QtCore.QObject):
                 self.progressed.emit((done + fraction) / count, stage)
 
             try:
-                meshes.append(request.mesh(prepared, progress, self._execution))
+                meshes.append(request.mesh(prepared, progress, self._execution, self._threads))
             except Exception as error:  # as above
                 self.failed.emit(number, error)
                 return

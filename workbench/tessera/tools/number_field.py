@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Lengths and numbers as users type them into the fields of a task panel."""
+"""Lengths, areas and numbers as users type them into the fields of a task panel."""
 
 import math
 
@@ -50,17 +50,44 @@ class NumberField:
         return float(self._field.property("rawValue" if self._is_length else "value"))
 
 
+class AreaField:
+    """A line of text for an area. FreeCAD's own fields refuse "10 m", for that is no area, so that
+    they take "10 mm^2" for 10^2."""
+
+    def __init__(self, line):
+        self._line = line
+        self._value, self._shown = 0.0, ""
+
+    def set(self, value):
+        self._line.setText(FreeCAD.Units.Quantity(value, FreeCAD.Units.Area).UserString)
+        self._value, self._shown = value, self._line.text()
+
+    def get(self):
+        """Square millimeters; what is shown rounded and left alone keeps all its digits."""
+        text = self._line.text()
+        if text == self._shown:
+            return self._value
+        value = _amount_of(text.replace("²", "^2"), self._line.locale(), FreeCAD.Units.Area)
+        if value is None:
+            raise ValueError(text)
+        return value
+
+
 def length_of(text, locale):
     """Millimeters of a text that is a length of 0 or more, or a number; else None. Its unit and
     separators are the user's."""
+    return _amount_of(text, locale, FreeCAD.Units.Length)
+
+
+def _amount_of(text, locale, unit):
     plain = text.replace(locale.groupSeparator(), "").replace(locale.decimalPoint(), ".")
     for candidate in (text, plain):
         try:
             quantity = FreeCAD.Units.Quantity(candidate)
         except (ValueError, OSError, ArithmeticError, FreeCAD.Base.FreeCADError):
             continue
-        is_length = quantity.Unit in (FreeCAD.Units.Length, FreeCAD.Units.Unit())
-        if is_length and math.isfinite(quantity.Value) and quantity.Value >= 0.0:
+        is_usable = quantity.Unit in (unit, FreeCAD.Units.Unit())
+        if is_usable and math.isfinite(quantity.Value) and quantity.Value >= 0.0:
             return float(quantity.Value) if candidate.strip() else None
     return None
 

@@ -49,6 +49,9 @@ class MeshRequest:
     source: Any  #: document object, or None
     faces: Tuple[str, ...] = ()  #: names of the source's faces; none: the whole source
     size: float = 0.0  #: target edge length, mm
+    count: int = 0  #: triangles to aim for instead, by finding the size; 0: size decides
+    max_area: float = 0.0  #: of a triangle, mm^2; 0: no bound
+    freeze_boundary: bool = False  #: no new nodes on straight edges
     growth: float = 0.3
     order: int = 1
     fill: str = "Even-odd"  #: a key of FILLS
@@ -83,11 +86,14 @@ class MeshRequest:
             ignore=list(self.ignored),
         )
 
-    def mesh(self, prepared, progress=None, execution=None):
+    def mesh(self, prepared, progress=None, execution=None, threads=None):
         """Runs the mesher, on any thread. Raises tessera.Error."""
         return tessera.mesh(
             prepared,
-            size=self.size,
+            size=None if self.count else self.size,
+            count=self.count or None,
+            max_area=self.max_area or None,
+            freeze_boundary=self.freeze_boundary,
             growth=self.growth,
             order=self.order,
             fill=FILLS[self.fill],
@@ -99,6 +105,7 @@ class MeshRequest:
             size_expr=self.expression.strip() or (),
             size_from=f"{self.size_file}:{self.size_array}" if self.size_file else None,
             **self._sizes_at_places(),
+            threads=threads,
             progress=progress,
             execution=execution,
         )
