@@ -54,9 +54,11 @@ private:
         std::vector<std::size_t> start((slots + kPiece - 1) / kPiece + 1, 0);
         forEachPiece(execution_, slots, kPiece,
                      [&](std::size_t piece, std::size_t begin, std::size_t end) {
+                         std::size_t count = 0;
                          for (std::size_t i = begin; i < end; ++i) {
-                             start[piece + 1] += isKept(static_cast<std::uint32_t>(i)) ? 1 : 0;
+                             count += isKept(static_cast<std::uint32_t>(i)) ? 1 : 0;
                          }
+                         start[piece + 1] = count;
                      });
         for (std::size_t piece = 1; piece < start.size(); ++piece) {
             start[piece] += start[piece - 1];
@@ -96,17 +98,22 @@ private:
                          execution_.checkpoint();
                          for (std::size_t i = begin; i < end; ++i) {
                              for (const std::uint32_t v : t_.triangles[order_.triangles[i]].v) {
-                                 // Several pieces may say so of one vertex.
-                                 std::atomic_ref(node[v]).store(0, std::memory_order_relaxed);
+                                 // Several pieces may say so of one vertex; once is enough.
+                                 const std::atomic_ref number(node[v]);
+                                 if (number.load(std::memory_order_relaxed) != 0) {
+                                     number.store(0, std::memory_order_relaxed);
+                                 }
                              }
                          }
                      });
         std::vector<std::uint32_t> first((node.size() + kPiece - 1) / kPiece + 1, 0);
         forEachPiece(execution_, node.size(), kPiece,
                      [&](std::size_t piece, std::size_t begin, std::size_t end) {
+                         std::uint32_t count = 0;
                          for (std::size_t v = begin; v < end; ++v) {
-                             first[piece + 1] += node[v] != MeshOrder::kNoNode ? 1 : 0;
+                             count += node[v] != MeshOrder::kNoNode ? 1 : 0;
                          }
+                         first[piece + 1] = count;
                      });
         std::partial_sum(first.begin(), first.end(), first.begin());
         forEachPiece(execution_, node.size(), kPiece,
