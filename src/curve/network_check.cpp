@@ -20,8 +20,8 @@ public:
     {
         for (std::size_t i = 0; i < network_.points.size(); ++i) {
             if (!isFinite(network_.points[i])) {
-                add("Point " + std::to_string(i + 1)
-                        + ", counted from 1, has a coordinate that is not finite.",
+                add("Point " + std::to_string(i)
+                        + ", counted from 0, has a coordinate that is not finite.",
                     network_.points[i], ErrorPlace {}.curve);
             }
         }
@@ -83,7 +83,7 @@ private:
     {
         const auto id = static_cast<std::uint32_t>(index);
         const auto about = [index](const char* what) {
-            return "Curve " + std::to_string(index + 1) + ", counted from 1," + what;
+            return "Curve " + std::to_string(index) + ", counted from 0," + what;
         };
         if (!pointExists(curve.start) || !pointExists(curve.end)) {
             add(about(" ends at a point that does not exist."), {}, id);

@@ -31,8 +31,8 @@ void checkRange(std::span<const Vec2> points)
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!isFinite(points[i])) {
             throw Error(ErrorKind::InvalidInput,
-                        "Point " + std::to_string(i + 1)
-                            + ", counted from 1, has a coordinate that is not a finite number; "
+                        "Point " + std::to_string(i)
+                            + ", counted from 0, has a coordinate that is not a finite number; "
                               "correct it.",
                         {{points[i]}});
         }

@@ -161,7 +161,7 @@ TEST(Triangulate, RefusesWhatIsOutOfRangeWithItsIndex)
             EXPECT_EQ(error.kind(), ErrorKind::InvalidInput);
             ASSERT_EQ(error.places().size(), 1U);
             EXPECT_EQ(error.places()[0].position.x, 1.0);
-            const std::string named = std::isfinite(bad) ? "The point (1, " : "Point 3, counted";
+            const std::string named = std::isfinite(bad) ? "The point (1, " : "Point 2, counted";
             EXPECT_EQ(std::string(error.what()).substr(0, named.size()), named);
         }
     }
