@@ -31,6 +31,9 @@ namespace
 /// Bytes that one triangle costs at the peak, all stages together; for the estimate only.
 constexpr double kBytesPerTriangle = 250.0;
 
+/// Pieces of curves are off by no more than this part of a narrow gap beside them.
+constexpr double kGapShare = 0.1;
+
 void require(bool ok, const char* message)
 {
     if (!ok) {
@@ -308,6 +311,7 @@ private:
         SampleOptions sampleOptions {.straightSegments = options_.refine && !options_.freezeBoundary,
                                      .piecesPerTurn = options_.sizes.piecesPerTurn,
                                      .chordError = options_.sizes.chordError,
+                                     .gapShare = kGapShare,
                                      .growth = options_.growth};
         if (options_.memoryLimit > 0.0) {
             // Every piece has a triangle of its own.
@@ -315,6 +319,7 @@ private:
                 std::min(kMostPieces, options_.memoryLimit / kBytesPerTriangle);
         }
         pslg_ = sample(network_, size, sampleOptions, execution_);
+        tell(pslg_.messages);
         watch_.lap(result_.report.seconds.sample);
     }
 
@@ -351,7 +356,7 @@ private:
         if (regions_.keptRegions == 0 && !allowsEmpty()) {
             requireNotSwallowed();
             throw explainNoInside(recovered_, network_, pslg_, options_.fill,
-                                  {input_, arranged_.parent, result_.report.weld});
+                                  ArrangedInput {input_, arranged_.parent, result_.report.weld});
         }
         tell(regions_.messages);
         tell(describeDroppedCurves(recovered_, network_, pslg_, regions_, arranged_.parent));
@@ -460,6 +465,9 @@ private:
                 report.unreached.push_back(
                     {"curved_edge", mesh.nodes[mesh.edgeMidNodes[e]], 0.0, 1.0});
             }
+        }
+        for (const CoarseGap& gap : pslg_.coarseGaps) {
+            report.unreached.push_back({"gap", gap.place, gap.share, kGapShare});
         }
         nameCurvesOfInput(mesh, arranged_.parent);
         addGroups(mesh, input_, nodesOfInputPoints(extracted.nodeOfVertex));

@@ -23,13 +23,22 @@ struct PslgSegment
     double tb = 0.0;
 };
 
+/// A gap between curves that is narrow compared to the sagitta of the pieces beside it.
+struct CoarseGap
+{
+    Vec2 place;
+    double share; ///< sagitta as a part of the gap's width
+};
+
 /// Planar straight-line graph, raw: its segments may still cross, overlap and touch. Points
 /// 0 .. network.points.size() - 1 are the network's, in order; samples follow.
 struct Pslg
 {
     std::vector<Vec2> points;
     std::vector<PslgSegment> segments;
-    std::vector<std::string> messages; ///< for the user: curves that were dropped
+    /// Gaps whose width and area the pieces beside them do not show (SampleOptions::gapShare).
+    std::vector<CoarseGap> coarseGaps;
+    std::vector<std::string> messages; ///< for the user: curves that were dropped, coarse gaps
 };
 
 } // namespace tessera

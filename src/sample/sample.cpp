@@ -40,7 +40,7 @@ constexpr double kWhole = 1.3;
 
 /// Samplings after the first one, with smaller sizes where curves are close to each other.
 constexpr int kMostRounds = 4;
-constexpr std::size_t kMostGrowth = 8;
+constexpr std::size_t kMostGrowth = 80;
 
 /// A curve and the direction in which it is sampled: views on a base curve are taken off, so that
 /// all curves with the same geometry are cut at the same points.
@@ -85,11 +85,15 @@ public:
         for (int round = 0;; ++round) {
             sampleAll(round == 0 ? 0.0 : 0.5);
             const std::size_t sampled = pieces_.size();
-            const Separation separation = separatePieces(pslg_.points, pieces_, execution_);
+            // Pieces by size are up to 1.4 times as long as the halves that they replace.
+            const double share = (round == 0 ? 1.0 : 2.0) * options_.gapShare;
+            const Separation separation =
+                separatePieces(pslg_.points, pieces_, {.gapShare = share}, execution_);
             // Curves that run on each other unshared come apart at no size.
             const bool hopeless = !separation.done || pieces_.size() > kMostGrowth * sampled + 1000;
             const bool halved = std::isinf(options_.growth);
             if (separation.halves.empty() || hopeless || halved || round == kMostRounds) {
+                tellTooClose(separation);
                 break;
             }
             for (const CurvePiece& half : separation.halves) {
@@ -352,6 +356,23 @@ private:
                 tb = first + (last - tb);
             }
             pslg_.segments.push_back({piece.a, piece.b, piece.curve, ta, tb});
+        }
+    }
+
+    void tellTooClose(const Separation& separation)
+    {
+        pslg_.coarseGaps = separation.coarseGaps;
+        if (!separation.done) {
+            pslg_.messages.push_back(
+                "Near " + placeText(separation.unseparated)
+                + " curves run so close to each other that their pieces cross although the curves"
+                  " do not; choose a smaller size there, or let the curves coincide.");
+        }
+        if (!pslg_.coarseGaps.empty()) {
+            pslg_.messages.push_back(
+                "The gap between curves near " + placeText(pslg_.coarseGaps.front().place)
+                + " is too narrow for the pieces beside it, so areas and widths there are not the"
+                  " true ones; choose a smaller size or chord error there.");
         }
     }
 

@@ -22,6 +22,10 @@ struct SampleOptions
     /// Greatest distance of a piece from its curve, in the input's unit; 0: no bound. Kept as far
     /// as curvature tells it: sagitta = piece^2 curvature / 8.
     double chordError = 0.0;
+    /// Greatest sagitta of a piece as a part of the width of the gap to another curve beside it, so
+    /// that areas between curves are nearly the true ones; 0: no bound. Gaps that would take more
+    /// than 64 times the pieces are left, see Pslg::coarseGaps.
+    double gapShare = 0.0;
     /// How fast pieces may become longer away from places where the size is not fine enough to keep
     /// curves apart; above 0. Where the size field itself grows faster, as fast as that. Infinite:
     /// only pieces that are in the way of others are halved, which takes one sampling.
@@ -37,7 +41,8 @@ struct SampleOptions
 /// curve become points.
 /// Pieces of curves that do not cross do not cross either: where pieces are in the way of others
 /// (see separate.h) all is sampled again with a size that is smaller there, some times if need be;
-/// what is then still in the way is halved. So the pieces have the topology of the arranged curves.
+/// what is then still in the way is halved. So the pieces have the topology of the arranged curves;
+/// where they do not, since curves run too close to each other, Pslg::messages say so.
 /// The result does not depend on a curve's direction, and curves with the same geometry are cut at
 /// the same points, bit for bit. Curves of zero length are dropped and named in Pslg::messages;
 /// curves with Role::Ignored are left out silently.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace tessera
@@ -23,17 +24,31 @@ constexpr std::size_t kMostParts = 16;
 constexpr std::size_t kMostPartsBeside = 10000;
 /// Part of the greatest coordinate below which a point counts as on a curve.
 constexpr double kOnCurve = 1e-12;
+/// For the width of a gap alone, a piece is cut into no more parts than these.
+constexpr std::uint32_t kMostPartsForGap = 64;
+/// A gap that closes at a common end of two curves is followed up to this part of the shorter one.
+constexpr double kTip = 0.02;
+
+double distanceToSegment(Vec2 p, Vec2 a, Vec2 b)
+{
+    const Vec2 chord = b - a;
+    const double square = squaredLength(chord);
+    const double share = square > 0.0 ? std::clamp(dot(p - a, chord) / square, 0.0, 1.0) : 0.0;
+    return distance(p, a + share * chord);
+}
 
 class PieceSeparator
 {
 public:
     PieceSeparator(std::vector<Vec2>& points, std::vector<CurvePiece>& pieces,
-                   Execution& execution)
+                   const SeparateOptions& options, Execution& execution)
         : points_(points)
         , pieces_(pieces)
+        , options_(options)
         , execution_(execution)
-        , isNew_(pieces.size(), 1)
-        , isHalf_(pieces.size(), 0)
+        , wholePieces_(pieces)
+        , wholePoints_(points.size())
+        , followsGaps_(pieces.size(), options.gapShare > 0.0 ? 1 : 0)
     {
         for (const Vec2 p : points) {
             scale_ = std::max({scale_, std::abs(p.x), std::abs(p.y)});
@@ -47,16 +62,22 @@ public:
                 lonePoints_.push_back(points[p]);
             }
         }
-        sagitta_.reserve(pieces.size());
-        for (const CurvePiece& piece : pieces) {
-            sagitta_.push_back(sagittaOf(piece));
-        }
+        findStrands();
     }
 
     Separation run()
     {
         Separation result;
         result.done = separate();
+        if (options_.gapShare > 0.0 && (!result.done || !coarseGaps_.empty())) {
+            // Once more, without the pieces that would need too many parts, or without any.
+            for (std::size_t i = 0; i < followsGaps_.size() && !result.done; ++i) {
+                followsGaps_[i] = 0;
+            }
+            result.coarseGaps = std::move(coarseGaps_);
+            result.done = separate();
+        }
+        result.unseparated = lastConflict_;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             if (isHalf_[i] != 0) {
                 result.halves.push_back(pieces_[i]);
@@ -66,8 +87,45 @@ public:
     }
 
 private:
+    /// A curve between its first and its last piece.
+    struct Strand
+    {
+        PointId start;
+        PointId end;
+        double length = 0.0;
+    };
+
+    void findStrands()
+    {
+        for (const CurvePiece& piece : pieces_) {
+            const std::size_t c = piece.curve.index();
+            if (c >= strands_.size()) {
+                strands_.resize(c + 1);
+            }
+            Strand& strand = strands_[c];
+            if (!strand.start.valid()) {
+                strand.start = piece.a;
+            }
+            strand.end = piece.b;
+            strand.length += distance(points_[piece.a.index()], points_[piece.b.index()]);
+        }
+    }
+
     bool separate()
     {
+        pieces_ = wholePieces_;
+        points_.resize(wholePoints_);
+        isNew_.assign(pieces_.size(), 1);
+        isHalf_.assign(pieces_.size(), 0);
+        whole_.resize(pieces_.size());
+        std::iota(whole_.begin(), whole_.end(), 0U);
+        parts_.assign(pieces_.size(), 1);
+        coarseGaps_.clear();
+        sagitta_.clear();
+        sagitta_.reserve(pieces_.size());
+        for (const CurvePiece& piece : pieces_) {
+            sagitta_.push_back(sagittaOf(piece));
+        }
         const std::size_t most = kMostParts * pieces_.size() + kMostPartsBeside;
         for (int round = 0; round < kMostRounds && pieces_.size() <= most; ++round) {
             if (!findConflicts()) {
@@ -126,7 +184,11 @@ private:
                 execution_.checkpoint();
             }
             const std::uint32_t i = suspects[k];
-            tree.forEachOverlap(boxes[i], [this, i, &found](std::uint32_t j) {
+            double share = 0.0;
+            const Box2 reach = boxes[i].grown(followsGaps_[whole_[i]] != 0
+                                                  ? sagitta_[i] / options_.gapShare
+                                                  : 0.0);
+            tree.forEachOverlap(reach, [&](std::uint32_t j) {
                 if (j >= pieces_.size()) {
                     if (isBetween(i, lonePoints_[j - pieces_.size()])) {
                         found = mark(i, i) || found;
@@ -135,9 +197,68 @@ private:
                 else if (i != j && (cross(i, j) || between(i, j) || between(j, i))) {
                     found = mark(i, j) || found;
                 }
+                else if (i != j && followsGaps_[whole_[i]] != 0 && !hangTogether(i, j)) {
+                    share = std::max(share, sagitta_[i] / gapBetween(i, j));
+                }
             });
+            if (share > options_.gapShare && marked_[i] == 0) {
+                found = halveForGap(i, share) || found;
+            }
         }
         return found;
+    }
+
+    /// False where that would make too many pieces: then the whole piece is not to follow gaps.
+    bool halveForGap(std::uint32_t i, double share)
+    {
+        const std::uint32_t whole = whole_[i];
+        if (parts_[whole] < kMostPartsForGap) {
+            return mark(i, i);
+        }
+        followsGaps_[whole] = 0;
+        const double parts = parts_[whole];
+        coarseGaps_.push_back({midpoint(start(i), end(i)), share * parts * parts});
+        return false;
+    }
+
+    /// The distance of two chords that do not cross.
+    double gapBetween(std::size_t i, std::size_t j) const
+    {
+        return std::min({distanceToSegment(start(i), start(j), end(j)),
+                         distanceToSegment(end(i), start(j), end(j)),
+                         distanceToSegment(start(j), start(i), end(i)),
+                         distanceToSegment(end(j), start(i), end(i))});
+    }
+
+    /// Neighbors on a curve or around a common end of two, or pieces of a curve that is there twice.
+    bool hangTogether(std::size_t i, std::size_t j) const
+    {
+        const CurvePiece& p = pieces_[i];
+        const CurvePiece& q = pieces_[j];
+        const Vec2 a = start(i);
+        const Vec2 b = end(i);
+        if (a == start(j) || a == end(j) || b == start(j) || b == end(j)) {
+            return true;
+        }
+        if (p.geometry == q.geometry && p.geometry != nullptr) {
+            const double between = std::max(std::min(p.ta, p.tb), std::min(q.ta, q.tb))
+                - std::min(std::max(p.ta, p.tb), std::max(q.ta, q.tb));
+            if (between <= 2.0 * std::max(std::abs(p.tb - p.ta), std::abs(q.tb - q.ta))) {
+                return true;
+            }
+        }
+        const Strand& s = strands_[p.curve.index()];
+        const Strand& t = strands_[q.curve.index()];
+        const double tip =
+            std::max(2.0 * distance(a, b), kTip * std::min(s.length, t.length));
+        for (const PointId common : {s.start, s.end}) {
+            const Vec2 v = points_[common.index()];
+            if ((common == t.start || common == t.end)
+                && std::min(distance(a, v), distance(b, v)) <= tip) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /// The chords have a point in common that is no common end, or run on each other from one.
@@ -236,38 +357,52 @@ private:
         std::vector<double> sagittas;
         std::vector<std::uint8_t> isNew;
         std::vector<std::uint8_t> isHalf;
-        const auto add = [&](const CurvePiece& piece, double sagitta, std::uint8_t created,
-                             std::uint8_t half) {
+        std::vector<std::uint32_t> whole;
+        const auto add = [&](const CurvePiece& piece, double sagitta, std::size_t from,
+                             bool created) {
             pieces.push_back(piece);
             sagittas.push_back(sagitta);
-            isNew.push_back(created);
-            isHalf.push_back(half);
+            isNew.push_back(created ? 1 : 0);
+            isHalf.push_back(created ? 1 : isHalf_[from]);
+            whole.push_back(whole_[from]);
         };
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             const CurvePiece& piece = pieces_[i];
             if (marked_[i] == 0) {
-                add(piece, sagitta_[i], 0, isHalf_[i]);
+                add(piece, sagitta_[i], i, false);
                 continue;
             }
+            ++parts_[whole_[i]];
+            lastConflict_ = start(i);
             const double middle = 0.5 * (piece.ta + piece.tb);
             points_.push_back(piece.geometry->point(middle));
             CurvePiece left = piece;
             CurvePiece right = piece;
             left.b = right.a = PointId(points_.size() - 1);
             left.tb = right.ta = middle;
-            add(left, sagittaOf(left), 1, 1);
-            add(right, sagittaOf(right), 1, 1);
+            add(left, sagittaOf(left), i, true);
+            add(right, sagittaOf(right), i, true);
         }
         pieces_ = std::move(pieces);
         sagitta_ = std::move(sagittas);
         isNew_ = std::move(isNew);
         isHalf_ = std::move(isHalf);
+        whole_ = std::move(whole);
     }
 
     std::vector<Vec2>& points_;
     std::vector<CurvePiece>& pieces_;
+    const SeparateOptions& options_;
     Execution& execution_;
+    const std::vector<CurvePiece> wholePieces_; ///< as they were given
+    const std::size_t wholePoints_;
     std::vector<Vec2> lonePoints_; ///< at no piece's end
+    std::vector<Strand> strands_;  ///< by curve
+    std::vector<std::uint8_t> followsGaps_; ///< by whole piece
+    std::vector<std::uint32_t> parts_;      ///< by whole piece
+    std::vector<CoarseGap> coarseGaps_;
+    Vec2 lastConflict_;
+    std::vector<std::uint32_t> whole_; ///< by piece: the one that it is a part of
     std::vector<std::uint8_t> isNew_;
     std::vector<std::uint8_t> isHalf_; ///< made here
     std::vector<std::uint8_t> marked_;
@@ -278,9 +413,9 @@ private:
 } // namespace
 
 Separation separatePieces(std::vector<Vec2>& points, std::vector<CurvePiece>& pieces,
-                          Execution& execution)
+                          const SeparateOptions& options, Execution& execution)
 {
-    return PieceSeparator(points, pieces, execution).run();
+    return PieceSeparator(points, pieces, options, execution).run();
 }
 
 } // namespace tessera

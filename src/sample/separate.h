@@ -5,6 +5,7 @@
 #include "base/ids.h"
 #include "base/vec2.h"
 #include "curve/curve.h"
+#include "sample/pslg.h"
 
 #include <vector>
 
@@ -22,20 +23,33 @@ struct CurvePiece
     double tb;
 };
 
+struct SeparateOptions
+{
+    /// Greatest sagitta of a piece as a part of its distance from pieces that it does not hang
+    /// together with; 0: no bound, only the topology counts.
+    double gapShare = 0.0;
+};
+
 struct Separation
 {
     std::vector<CurvePiece> halves; ///< the pieces that were made
+    /// Where keeping gapShare would cut a piece into too many; one of each such piece.
+    std::vector<CoarseGap> coarseGaps;
     bool done = true;               ///< false: some pieces are still in the way of others
+    Vec2 unseparated;               ///< a place of one of them
 };
 
 /// Halves curved pieces until the pieces meet only where their curves do: no two of them cross, and
 /// no point lies between a piece and its curve. Thin gaps between arcs and small loops beside an
-/// arc need that. Equal pieces are halved alike.
+/// arc need that. Equal pieces are halved alike. With gapShare also until the pieces on both sides
+/// of a gap follow it, so that its width and area are nearly those between the curves; next to a
+/// common end, where the gap closes, as far as a fiftieth of the shorter curve. A piece of
+/// which that would make more than 64 is left as the topology wants it, and named.
 ///
 /// Precondition: the curves themselves meet in common end points only, or coincide. Where that
 /// fails (straight curves may cross straight ones) curved pieces are halved a bounded number of
-/// times and then left.
+/// times and then left. The pieces of a curve follow one another.
 Separation separatePieces(std::vector<Vec2>& points, std::vector<CurvePiece>& pieces,
-                          Execution& execution);
+                          const SeparateOptions& options, Execution& execution);
 
 } // namespace tessera

@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "curve/curve_tools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +25,14 @@ constexpr int kMaxDepth = 48;
 constexpr double kTolerance = 1e-6;
 /// Turning of the tangent, in radians, below which a stretch is straight.
 constexpr double kStraight = 1e-9;
+
+/// |d(angle)/dt| of the tangent.
+double turningRate(const CurveJet& jet, double speed)
+{
+    return speed > 0.0
+        ? std::abs(cross((1.0 / speed) * jet.derivative, jet.secondDerivative)) / speed
+        : 0.0;
+}
 
 } // namespace
 
@@ -79,9 +86,10 @@ double SizeIntegral::bendingDensity(double speed, double turning) const
 
 double SizeIntegral::densityAt(double t) const
 {
-    const double h = uniform_ > 0.0 ? uniform_ : checkedSize(size_, curve_.point(t));
-    const double speed = tessera::length(curve_.derivative(t));
-    return std::max(speed / h, bendingDensity(speed, turningRate(curve_, t)));
+    const CurveJet jet = curve_(t);
+    const double h = uniform_ > 0.0 ? uniform_ : checkedSize(size_, jet.point);
+    const double speed = tessera::length(jet.derivative);
+    return std::max(speed / h, bendingDensity(speed, turningRate(jet, speed)));
 }
 
 SizeIntegral::Sums SizeIntegral::integrate(double a, double b) const
@@ -96,9 +104,10 @@ SizeIntegral::Sums SizeIntegral::integrate(double a, double b) const
         const int k = std::abs(i);
         const double t = middle + (i < 0 ? -half : half) * kNode[k];
         const double weight = half * kWeight[k];
-        const double h = uniform_ > 0.0 ? uniform_ : checkedSize(size_, curve_.point(t));
-        const double speed = tessera::length(curve_.derivative(t));
-        const double turning = turningRate(curve_, t);
+        const CurveJet jet = curve_(t);
+        const double h = uniform_ > 0.0 ? uniform_ : checkedSize(size_, jet.point);
+        const double speed = tessera::length(jet.derivative);
+        const double turning = turningRate(jet, speed);
         const double bending = bendingDensity(speed, turning);
         sums.integral += weight * std::max(speed / h, bending);
         sums.bending += weight * bending;
@@ -119,9 +128,9 @@ void SizeIntegral::addChunks(double a, double b, const Sums& whole, int depth)
             <= kTolerance * (1.0 + whole.turning);
     bool resolved = uniform_ > 0.0;
     if (!resolved && agree) {
-        const double h = std::min({checkedSize(size_, curve_.point(a)),
-                                   checkedSize(size_, curve_.point(middle)),
-                                   checkedSize(size_, curve_.point(b))});
+        const double h = std::min({checkedSize(size_, curve_(a).point),
+                                   checkedSize(size_, curve_(middle).point),
+                                   checkedSize(size_, curve_(b).point)});
         resolved = gradient_ * (left.length + right.length) <= h;
     }
     if ((agree && resolved) || depth == kMaxDepth) {

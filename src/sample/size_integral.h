@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/execution.h"
-#include "curve/curve.h"
+#include "curve/curve_jet.h"
 #include "sample/sample.h"
 #include "sizing/size_field.h"
 
@@ -60,7 +60,7 @@ private:
     Sums integrate(double a, double b) const;
     void addChunks(double a, double b, const Sums& whole, int depth);
 
-    const Curve& curve_;
+    JetEvaluator curve_;
     const SizeField& size_;
     const SampleOptions& options_;
     const Execution& execution_;

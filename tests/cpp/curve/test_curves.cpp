@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "curve/arc.h"
 #include "curve/chord_area.h"
+#include "curve/curve_jet.h"
 #include "curve/curve_tools.h"
 #include "curve/curve_views.h"
 #include "curve/line.h"
@@ -225,6 +226,24 @@ TEST(ChordArea, LiesBetweenAPieceAndItsChord)
     EXPECT_NEAR(chordArea(LineCurve({1.0, 2.0}, {3.0, -1.0}), 0.0, 1.0), 0.0, 1e-15);
     const PolylineCurve corners({{0.0, 0.0}, {2.0, -1.0}, {3.0, 1.0}, {1.0, 4.0}});
     EXPECT_NEAR(chordArea(corners, corners.first(), corners.last()), 0.5 * (5.0 + 11.0), 1e-13);
+}
+
+TEST(JetEvaluator, GivesWhatTheCurveGives)
+{
+    const std::shared_ptr<const Curve> arc = makeEllipseArc({1, 2}, 3.0, 0.5, 0.7, 0.2, 5.0);
+    const std::shared_ptr<const Curve> trimmed = std::make_shared<TrimmedCurve>(arc, 1.0, 2.0);
+    const ReversedCurve reversed(trimmed);
+    const LineCurve line({1, 2}, {5, 7});
+    for (const Curve* curve : {arc.get(), trimmed.get(), static_cast<const Curve*>(&reversed),
+                               static_cast<const Curve*>(&line)}) {
+        const JetEvaluator jet(*curve);
+        for (const double share : {0.0, 0.3, 1.0}) {
+            const double t = curve->first() + share * (curve->last() - curve->first());
+            EXPECT_EQ(jet(t).point, curve->point(t));
+            EXPECT_EQ(jet(t).derivative, curve->derivative(t));
+            EXPECT_EQ(jet(t).secondDerivative, curve->secondDerivative(t));
+        }
+    }
 }
 
 } // namespace

@@ -156,5 +156,68 @@ TEST(Separate, CurvesThatRunOnEachOtherUnsharedEndSoon)
     EXPECT_LT(pslg.segments.size(), 50000U);
 }
 
+/// Area between the polygons of the first curve and the second.
+double areaBetween(const Pslg& pslg)
+{
+    double sum[2] = {0.0, 0.0};
+    for (const PslgSegment& s : pslg.segments) {
+        sum[s.curve.index()] +=
+            0.5 * cross(pslg.points[s.a.index()], pslg.points[s.b.index()]);
+    }
+    return std::abs(sum[0]) - std::abs(sum[1]);
+}
+
+Pslg sampledRing(double gap, double shift, double seam = 2.0)
+{
+    CurveNetwork network;
+    addCircle(network, {0, 0}, 1.0, 0.3);
+    addCircle(network, {shift, 0}, 1.0 - gap, seam);
+    Execution execution;
+    ArrangeReport report;
+    return sample(arrange(network, {}, report, execution), UniformSize(0.1), {.gapShare = 0.1},
+                  execution);
+}
+
+TEST(FollowGaps, AreasOfThinRings)
+{
+    for (const double gap : {1e-2, 1e-3, 1e-4, 1e-5}) {
+        for (const double shift : {0.0, 0.5 * gap, 0.999 * gap}) {
+            const Pslg pslg = sampledRing(gap, shift);
+            const double area = kTurn / 2 * gap * (2.0 - gap);
+            EXPECT_NEAR(areaBetween(pslg), area, 0.05 * area) << gap << " " << shift;
+            EXPECT_TRUE(pslg.messages.empty());
+            EXPECT_LT(pslg.segments.size(), 60.0 / std::sqrt(gap) + 300.0);
+        }
+    }
+}
+
+TEST(FollowGaps, TooNarrowOnesAreTold)
+{
+    const Pslg pslg = sampledRing(1e-8, 0.0, 0.3);
+    EXPECT_LT(pslg.segments.size(), 1000U);
+    EXPECT_FALSE(pslg.coarseGaps.empty());
+    ASSERT_EQ(pslg.messages.size(), 1U);
+    EXPECT_NE(pslg.messages[0].find("too narrow"), std::string::npos);
+    const Pslg crossing = sampledRing(1e-9, 0.0);
+    ASSERT_EQ(crossing.messages.size(), 1U);
+    EXPECT_NE(crossing.messages[0].find("their pieces cross"), std::string::npos);
+}
+
+TEST(FollowGaps, CirclesThatTouchOrCrossAreNotCutForEver)
+{
+    for (const double radius : {0.5, 0.9, 0.99}) {
+        CurveNetwork network;
+        addCircle(network, {0, 0}, 1.0, 0.0);
+        addCircle(network, {1.0 - radius, 0}, radius, 0.0);
+        addCircle(network, {1.5, 0.2}, radius, 0.0);
+        Execution execution;
+        ArrangeReport report;
+        const Pslg pslg = sample(arrange(network, {}, report, execution), UniformSize(0.3),
+                                 {.gapShare = 0.1}, execution);
+        EXPECT_TRUE(pslg.messages.empty());
+        EXPECT_LT(pslg.segments.size(), 1000U) << radius;
+    }
+}
+
 } // namespace
 } // namespace tessera
