@@ -35,6 +35,28 @@ std::vector<std::uint8_t> usedPoints(const CurveNetwork& network)
     return used;
 }
 
+/// Seams are no ends: where nothing else takes part they become one only if they are up to
+/// rounding, as closed curves that touch there need it.
+void keepSeamsApart(const CurveNetwork& network, double rounding, const Execution& execution,
+                    std::vector<std::uint32_t>& representative)
+{
+    std::vector<std::uint8_t> wanted = findSeams(network);
+    for (std::size_t p = 0; p < representative.size(); ++p) {
+        if (wanted[p] == 0) {
+            wanted[representative[p]] = 0;
+        }
+    }
+    for (std::size_t p = 0; p < representative.size(); ++p) {
+        wanted[p] = wanted[p] != 0 && wanted[representative[p]] != 0 ? 1 : 0;
+    }
+    const WeldResult equal = weldPoints(network.points, wanted, rounding, execution);
+    for (std::size_t p = 0; p < representative.size(); ++p) {
+        if (wanted[p] != 0) {
+            representative[p] = equal.representative[p];
+        }
+    }
+}
+
 /// Renumbers the points that stay, in their order, and fills report.pointOf.
 std::vector<Vec2> compactPoints(const CurveNetwork& network, const std::vector<std::uint8_t>& used,
                                 const std::vector<std::uint32_t>& representative,
@@ -132,8 +154,9 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
     // index. Ends of curved ones are never more exact than the curve's rounding.
     const double tolerance = std::max(options.weld, meetingDistance(network, options.weld));
     const std::vector<std::uint8_t> none(network.points.size(), 0);
-    const WeldResult weld =
+    WeldResult weld =
         weldPoints(network.points, tolerance > 0.0 ? used : none, tolerance, execution);
+    keepSeamsApart(network, roundingDistance(network), execution, weld.representative);
     for (const std::uint32_t p : weld.chainsLeft) {
         report.chainsLeft.push_back({network.points[p]});
     }

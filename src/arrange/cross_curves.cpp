@@ -64,6 +64,8 @@ public:
         , report_(report)
         , curves_(network)
         , arcs_(cutIntoArcs(curves_))
+        , isSeam_(findSeams(network))
+        , seamReach_(std::min(tolerance_, roundingDistance(network)))
     {}
 
     void run(Execution& execution)
@@ -98,7 +100,8 @@ private:
         const Vec2 position = network_.points[p];
         const double t = nearestParameter(curves_, arc, position);
         const double d = distance(curves_[arc.curve].point(t), position);
-        if (d <= tolerance_ && !isAtOwnEnd(arc.curve, p, t)) {
+        const double reach = isSeam_[p] != 0 ? seamReach_ : tolerance_;
+        if (d <= reach && !isAtOwnEnd(arc.curve, p, t)) {
             found.push_back({arc.curve, p, t, d});
         }
     }
@@ -141,11 +144,12 @@ private:
     /// A curve passes through each of its points from now on, however far that was from it.
     void countBends(const std::vector<CurveSplit>& splits)
     {
+        const double rounding = meetingDistance(network_, weld_);
         std::vector<std::uint32_t> points;
         for (const CurveSplit& split : splits) {
             const Vec2 position = network_.points[split.point.index()];
             const double bend = distance(curves_[split.curve].point(split.t), position);
-            if (bend > meetingDistance(network_, weld_)) {
+            if (bend > rounding) {
                 points.push_back(split.point.value);
                 report_.greatestBend = std::max(report_.greatestBend, bend);
             }
@@ -161,6 +165,8 @@ private:
     ArrangeReport& report_;
     CurveSet curves_;
     std::vector<Arc> arcs_;
+    std::vector<std::uint8_t> isSeam_; ///< by point
+    double seamReach_;
 };
 
 class CurveCrosser
@@ -393,6 +399,23 @@ double meetingDistance(const CurveNetwork& network, double weld)
 double roundingDistance(const CurveNetwork& network)
 {
     return 16.0 * kRounding * scaleOf(network);
+}
+
+std::vector<std::uint8_t> findSeams(const CurveNetwork& network)
+{
+    std::vector<std::uint8_t> isSeam(network.points.size(), 0);
+    for (const NetworkCurve& curve : network.curves) {
+        isSeam[curve.start.index()] |= curve.role != Role::Ignored && curve.geometry != nullptr;
+    }
+    for (const NetworkCurve& curve : network.curves) {
+        if (curve.role != Role::Ignored && (curve.start != curve.end || !curve.geometry)) {
+            isSeam[curve.start.index()] = isSeam[curve.end.index()] = 0;
+        }
+    }
+    for (const EmbeddedPoint& embedded : network.embedded) {
+        isSeam[embedded.point.index()] = 0;
+    }
+    return isSeam;
 }
 
 void weldPointsOntoCurves(CurveNetwork& network, const ArrangeOptions& options,

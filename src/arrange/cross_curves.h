@@ -3,6 +3,9 @@
 
 #include "arrange/arrange.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace tessera
 {
 
@@ -13,9 +16,12 @@ double meetingDistance(const CurveNetwork& network, double weld);
 /// Crossings closer to each other than this are one: 16 times what computing one may err.
 double roundingDistance(const CurveNetwork& network);
 
+/// By point: only closed curves use it, which begin and end there because they must somewhere.
+std::vector<std::uint8_t> findSeams(const CurveNetwork& network);
+
 /// Makes points of the network that lie within the tolerance of a curve's inside points of that
-/// curve: it is cut there and passes through them. Straight curves are left to exact incidence if
-/// the tolerance is 0.
+/// curve: it is cut there and passes through them. Seams only if they are on it up to rounding.
+/// Straight curves are left to exact incidence if the tolerance is 0.
 void weldPointsOntoCurves(CurveNetwork& network, const ArrangeOptions& options,
                           ArrangeReport& report, Execution& execution);
 

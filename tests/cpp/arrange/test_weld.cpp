@@ -244,6 +244,36 @@ TEST(Arrange, CollapsesWhatIsShorterThanTheTolerance)
     EXPECT_EQ(result.curves[1].start, result.curves[1].end);
 }
 
+TEST(Arrange, SeamsOfClosedCurvesAreNoEnds)
+{
+    const auto circles = [](double gap) {
+        CurveNetwork network;
+        network.operands.resize(1);
+        const double turn = 2 * std::numbers::pi;
+        const PointId a = network.addPoint({1, 0});
+        network.curves.push_back({makeCircleArc({0, 0}, 1, 0, turn), a, a, OperandId(0U)});
+        // One inside whose seam is beside the first one's, one outside whose seam is beside it.
+        const PointId b = network.addPoint({1 - gap, 0});
+        network.curves.push_back({makeCircleArc({0, 0}, 1 - gap, 0, turn), b, b, OperandId(0U)});
+        const PointId c = network.addPoint({0, 1 + gap});
+        network.curves.push_back({makeCircleArc({0, 3 + gap}, 2, -0.25 * turn, 0.75 * turn), c, c,
+                                  OperandId(0U)});
+        ArrangeReport report;
+        Execution execution;
+        const CurveNetwork result = arrange(network, {.weld = 1e-3}, report, execution);
+        EXPECT_TRUE(report.messages.empty());
+        EXPECT_EQ(report.welded, 0U);
+        return result;
+    };
+    const CurveNetwork apart = circles(1e-5);
+    EXPECT_EQ(apart.points.size(), 3U);
+    EXPECT_EQ(apart.curves.size(), 3U);
+    // Where they touch they share the point: here the third one's seam is on the first one.
+    const CurveNetwork touching = circles(0.0);
+    EXPECT_EQ(touching.points.size(), 2U);
+    EXPECT_EQ(touching.curves.size(), 5U);
+}
+
 TEST(Arrange, RefusesBadInput)
 {
     ArrangeReport report;
