@@ -11,6 +11,21 @@
 namespace tessera
 {
 
+namespace
+{
+
+/// Both ends are those of one straight curve, which no one means as an outline.
+bool isStraightLine(const OutlineFlaw& flaw, const CurveNetwork& network,
+                    std::span<const CurveId> parent)
+{
+    const std::uint32_t a = flaw.places[0].curve;
+    const std::uint32_t b = flaw.places[1].curve;
+    return flaw.kind == OutlineFlaw::Kind::Gap && !network.curves[a].geometry
+        && (a == b || (!parent.empty() && parent[a] == parent[b]));
+}
+
+} // namespace
+
 std::vector<std::string> describeDroppedCurves(const RecoveryResult& recovered,
                                                const CurveNetwork& network, const Pslg& pslg,
                                                const RegionMap& regions,
@@ -48,7 +63,8 @@ std::vector<std::string> describeDroppedCurves(const RecoveryResult& recovered,
     if (whole.empty()) {
         return messages;
     }
-    if (const auto flaw = findOutlineFlaw(recovered, network, pslg, parent, outside)) {
+    const auto flaw = findOutlineFlaw(recovered, network, pslg, parent, outside);
+    if (flaw && !isStraightLine(*flaw, network, parent)) {
         const bool gap = flaw->kind == OutlineFlaw::Kind::Gap;
         messages.push_back(std::string("If that was meant as an outline: ")
                            + (gap ? "it is open at " : "") + flaw->what + "; " + flaw->remedy

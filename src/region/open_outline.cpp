@@ -231,6 +231,9 @@ public:
 
     std::optional<OutlineFlaw> find() const
     {
+        if (graph_.freeEnds().empty()) {
+            return std::nullopt;
+        }
         const auto gap = closestEnds();
         if (!graph_.encloses()) {
             return gap ? std::optional(describeGap(*gap)) : std::nullopt;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "curve/arc.h"
 #include "region/colored.h"
 #include "region/no_inside.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <numbers>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace tessera
 {
@@ -78,6 +77,17 @@ TEST(ExplainNoInside, OverlapsCrossingsAndTouchesInsteadOfEnds)
     addLine(gap, {2, 5}, {5, 1});
     EXPECT_NE(std::string(reasonForNamed(gap).what()).find("and (0, 0.25) of D, 0.25 apart"),
               std::string::npos);
+}
+
+TEST(ExplainNoInside, CurvesThatAreThereTwiceDoNotCross)
+{
+    CurveNetwork network = emptyNetwork(1);
+    for (const double seam : {0.0, 1.0}) {
+        const auto circle = makeCircleArc({0, 0}, 2, seam, seam + 2 * std::numbers::pi);
+        const PointId p = network.addPoint(circle->point(seam));
+        network.curves.push_back({circle, p, p, OperandId(0U)});
+    }
+    EXPECT_NE(std::string(reasonForNamed(network).what()).find("drawn twice"), std::string::npos);
 }
 
 TEST(ExplainNoInside, CurvesOfSeveralOperands)
