@@ -84,6 +84,9 @@ int runCheck(const CheckArguments& a)
         for (const std::string& problem : check.problems) {
             fmt::print("{}\n", problem);
         }
+        for (const std::string& warning : check.warnings) {
+            fmt::print("Warning: {}\n", warning);
+        }
         fmt::print("{}: {}, {}, {}, {}, area {:.6g}, smallest angle {:.1f} degrees{}, mean "
                    "quality {:.3f}\n",
                    a.mesh, check.valid() ? "valid" : "not valid",

@@ -396,14 +396,39 @@ private:
                            mesh_.cells[outlineCell_[side]].number);
     }
 
-    void checkOutline()
+    /// But for third corners of needles, which are as near to the side opposite.
+    std::vector<OutlineProblem> hangingNodes(double part) const
     {
-        auto hanging = findHangingNodes(points_, outline_);
+        auto hanging = findHangingNodes(points_, outline_, part);
         std::erase_if(hanging, [this](const OutlineProblem& problem) {
-            // The third corner of a needle is as near to the side opposite.
             const auto nodes = mesh_.nodesOfCell(mesh_.cells[outlineCell_[problem.side[0]]]);
             return std::ranges::find(nodes, problem.node) != nodes.end();
         });
+        return hanging;
+    }
+
+    /// A slit far narrower than the elements is more likely a node that should be on the side.
+    void warnOfSlits()
+    {
+        constexpr double kNarrow = 1e-6;
+        for (const OutlineProblem& problem : hangingNodes(kNarrow)) {
+            const OutlineSide& side = outline_[problem.side[0]];
+            const Vec2 a = points_[side[0]];
+            const Vec2 chord = points_[side[1]] - a;
+            const double away =
+                std::abs(cross(chord, points_[problem.node] - a)) / tessera::length(chord);
+            if (result_.warnings.size() < MeshCheck::kMostListed) {
+                result_.warnings.push_back(fmt::format(
+                    "Node {} at {} lies {:.3g} beside {}: there is a slit, or the node should be "
+                    "on that side.",
+                    number(problem.node), place(problem.node), away, sideName(problem.side[0])));
+            }
+        }
+    }
+
+    void checkOutline()
+    {
+        const auto hanging = hangingNodes(0.0);
         for (const OutlineProblem& problem : hanging) {
             add(fmt::format("Node {} at {} hangs on {}.", number(problem.node),
                             place(problem.node), sideName(problem.side[0])));
@@ -411,6 +436,7 @@ private:
         if (!hanging.empty()) {
             return; // each is a crossing, too
         }
+        warnOfSlits();
         for (const OutlineProblem& problem : sweepOutline(points_, outline_)) {
             if (problem.kind == OutlineProblem::Kind::Crossing) {
                 add(fmt::format("Elements overlap, or a node hangs, at {}: {} meets {}.",

@@ -18,6 +18,9 @@ struct MeshCheck
     /// one that counts the rest.
     std::vector<std::string> problems;
     static constexpr std::size_t kMostListed = 1000;
+    /// What is allowed but hardly meant: nodes so close beside a side that they seem to hang on it.
+    /// At most kMostListed.
+    std::vector<std::string> warnings;
 
     std::size_t nodes = 0;       ///< in the file
     std::size_t unusedNodes = 0; ///< of no element; allowed

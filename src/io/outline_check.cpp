@@ -23,8 +23,9 @@ bool comesBefore(Vec2 p, Vec2 q)
     return p.x != q.x ? p.x < q.x : p.y < q.y;
 }
 
-/// p is on the inside of a-b, or so near that rounding p alone may have put it beside.
-bool liesAlong(Vec2 a, Vec2 b, Vec2 p)
+/// p is on the inside of a-b, or so near that rounding p alone may have put it beside, or nearer
+/// than that part of the length.
+bool liesAlong(Vec2 a, Vec2 b, Vec2 p, double part)
 {
     if (compareAlong(a, b, p, a) <= 0 || compareAlong(a, b, p, b) >= 0) {
         return false;
@@ -35,7 +36,8 @@ bool liesAlong(Vec2 a, Vec2 b, Vec2 p)
     const double greatest =
         std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y)});
     const double away = std::fabs(cross(b - a, p - a)) / distance(a, b);
-    return away <= 2.0 * std::numeric_limits<double>::epsilon() * greatest;
+    return away <= std::max(2.0 * std::numeric_limits<double>::epsilon() * greatest,
+                            part * distance(a, b));
 }
 
 class Sweep
@@ -196,7 +198,7 @@ private:
 } // namespace
 
 std::vector<OutlineProblem> findHangingNodes(std::span<const Vec2> points,
-                                             std::span<const OutlineSide> sides)
+                                             std::span<const OutlineSide> sides, double part)
 {
     std::vector<OutlineSide> byStart(sides.begin(), sides.end());
     std::ranges::sort(byStart);
@@ -210,8 +212,8 @@ std::vector<OutlineProblem> findHangingNodes(std::span<const Vec2> points,
             auto it = std::ranges::lower_bound(byStart, OutlineSide {at, 0});
             const auto leadsBack = [&](const OutlineSide& side) {
                 return side[1] == a ? at != b
-                                    : liesAlong(points[a], points[at], points[side[1]])
-                        && liesAlong(points[a], points[b], points[side[1]]);
+                                    : liesAlong(points[a], points[at], points[side[1]], part)
+                        && liesAlong(points[a], points[b], points[side[1]], part);
             };
             while (it != byStart.end() && (*it)[0] == at && !leadsBack(*it)) {
                 ++it;

@@ -30,9 +30,10 @@ struct OutlineProblem
 };
 
 /// Nodes that hang on a side: those of a chain of outline sides that leads back from the side's
-/// end to its start along it, all exactly on it or as near as rounding puts them. O(n log n).
+/// end to its start along it, all exactly on it, as near as rounding puts them, or nearer than the
+/// given part of the side's length. O(n log n).
 std::vector<OutlineProblem> findHangingNodes(std::span<const Vec2> points,
-                                             std::span<const OutlineSide> sides);
+                                             std::span<const OutlineSide> sides, double part = 0.0);
 
 /// Sweeps over the outline and finds its first crossing, or, if nothing crosses, all sides with a
 /// wrong covering: what lies left of each must be covered once, what lies right of it not at all.

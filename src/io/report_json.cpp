@@ -89,6 +89,7 @@ std::string formatReport(const MeshCheck& check)
     json["version"] = TESSERA_VERSION;
     json["valid"] = check.valid();
     json["problems"] = check.problems;
+    json["warnings"] = check.warnings;
     json["vertices"] = check.nodes;
     json["unused_vertices"] = check.unusedNodes;
     json["edges"] = check.edges;

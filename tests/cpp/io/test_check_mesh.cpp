@@ -137,8 +137,15 @@ TEST(CheckMesh, HangingNodes)
     for (double t : {0.1, 0.3, 0.5, 0.71}) {
         expectProblem(mesh(a, b, a + t * (b - a)), "hangs on the side between nodes 0 and 1");
     }
-    // A gap is a gap.
+    // A gap is a gap, but a narrow one is told.
     expectValid(mesh({0, 0}, {2, 0}, {1, -1e-9}));
+    const MeshCheck narrow = checkMesh(mesh({0, 0}, {2, 0}, {1, -1e-9}));
+    ASSERT_EQ(narrow.warnings.size(), 1U);
+    EXPECT_EQ(narrow.warnings[0],
+              "Node 3 at (1, -1e-09) lies 1e-09 beside the side between nodes 0 and 1 (element 0): "
+              "there is a slit, or the node should be on that side.");
+    EXPECT_TRUE(checkMesh(mesh({0, 0}, {2, 0}, {1, -1e-3})).warnings.empty());
+    EXPECT_TRUE(checkMesh(mesh({0, 0}, {2, 0}, {1, 0})).warnings.empty());
 }
 
 TEST(CheckMesh, SeveralNodesHangOnOneSide)
