@@ -4,6 +4,7 @@
 #include "arrange/box_tree.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "predicates/predicates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,17 @@ void requireValid(const BackgroundMesh& mesh)
                    "the size at node " + std::to_string(i) + ", at " + placeText(p) + ", is "
                        + numberText(h) + "; it must be a number above 0.",
                    {{p}});
+        }
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& v = mesh.triangles[t];
+        const Vec2 p = mesh.nodes[v[0]];
+        if (orient2d(p, mesh.nodes[v[1]], mesh.nodes[v[2]]) == 0) {
+            char text[160];
+            std::snprintf(text, sizeof text,
+                          "triangle %zu, counted from 0, at (%.6g, %.6g) has no area; leave it out.",
+                          t, p.x, p.y);
+            refuse(mesh, text, {{p}});
         }
     }
 }

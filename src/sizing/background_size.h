@@ -22,8 +22,8 @@ struct BackgroundMesh
 };
 
 /// The sizes interpolated linearly within the triangles; outside of them, the size at the nearest
-/// point of one. Throws Error(InvalidOption) if there is no triangle, if an index or a size is
-/// wrong: with the node's place.
+/// point of one. Throws Error(InvalidOption) if there is no triangle or one without area, if
+/// an index or a size is wrong: with the node's place.
 AreaSource backgroundSource(BackgroundMesh mesh);
 
 } // namespace tessera

@@ -26,7 +26,7 @@ def local_sizes(prepared, curvature, chord_error, gap, size_at, size_on, size_in
         sizes.chord_error = positive("chord_error", chord_error)
     if gap is not None:
         sizes.gap = positive("gap", gap)
-    for item in _entries("size_at", size_at):
+    for item in _entries("size_at", size_at, "(x, y, size) or (place, size)"):
         place, law = _place_and_law(item)
         sizes.add_point(*_in_plane(prepared, place), law)
     for elements, law in _pairs("size_on", size_on):
@@ -36,9 +36,11 @@ def local_sizes(prepared, curvature, chord_error, gap, size_at, size_on, size_in
         sizes.add_curves(curves, _law("size_on", law))
     for place, size in _pairs("size_in", size_in):
         _add_region(sizes, prepared, place, positive("size_in", size))
-    for text in [size_expr] if isinstance(size_expr, str) else _entries("size_expr", size_expr):
+    for text in [size_expr] if isinstance(size_expr, str) else _entries(
+        "size_expr", size_expr, "text in x and y"
+    ):
         if not isinstance(text, str):
-            raise InvalidOptionError(f"size_expr must be text in x and y, not {text!r}.")
+            raise InvalidOptionError(f"size_expr must be a list of text in x and y, not of {text!r}.")
         sizes.add_expression(text)
     for item in _backgrounds(size_from):
         _add_background(sizes, item)
@@ -68,17 +70,17 @@ def positive(name, value):
     return result
 
 
-def _entries(name, value):
+def _entries(name, value, of):
     if value is None:
         return []
     if isinstance(value, (str, bytes, dict)) or not hasattr(value, "__iter__"):
-        raise InvalidOptionError(f"{name} must be a list, not {value!r}.")
+        raise InvalidOptionError(f"{name} must be a list of {of}, not {value!r}.")
     return list(value)
 
 
 def _pairs(name, value):
     """[(where, size)] of a dictionary or a list of pairs."""
-    pairs = list(value.items()) if isinstance(value, dict) else _entries(name, value)
+    pairs = list(value.items()) if isinstance(value, dict) else _entries(name, value, "(where, size)")
     for pair in pairs:
         if not isinstance(pair, (tuple, list)) or len(pair) != 2:
             raise InvalidOptionError(f"{name} must be a list of (where, size), not of {pair!r}.")
@@ -118,14 +120,16 @@ def _is_number(value):
 
 def _elements(elements):
     is_list = isinstance(elements, list) or (
-        isinstance(elements, tuple) and not hasattr(elements[0], "Shape")
+        isinstance(elements, tuple) and not (elements and hasattr(elements[0], "Shape"))
     )
     return list(elements) if is_list else [elements]
 
 
 def _in_plane(prepared, place):
     """(x, y) in the frame of the plane of (x, y) there, or of a point or vertex in space."""
-    if isinstance(place, str) or (isinstance(place, tuple) and hasattr(place[0], "Shape")):
+    if isinstance(place, str) or (
+        isinstance(place, tuple) and place and hasattr(place[0], "Shape")
+    ):
         place = prepared.place(place)
     try:
         values = [number("size_at", v) for v in place]
