@@ -54,11 +54,10 @@ void requireValid(const BackgroundMesh& mesh)
         const auto& v = mesh.triangles[t];
         const Vec2 p = mesh.nodes[v[0]];
         if (orient2d(p, mesh.nodes[v[1]], mesh.nodes[v[2]]) == 0) {
-            char text[160];
-            std::snprintf(text, sizeof text,
-                          "triangle %zu, counted from 0, at (%.6g, %.6g) has no area; leave it out.",
-                          t, p.x, p.y);
-            refuse(mesh, text, {{p}});
+            refuse(mesh,
+                   "triangle " + std::to_string(t) + ", counted from 0, at " + placeText(p)
+                       + " has no area; leave it out.",
+                   {{p}});
         }
     }
 }
