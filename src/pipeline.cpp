@@ -31,7 +31,8 @@ namespace
 /// Bytes that one triangle costs at the peak, all stages together; for the estimate only.
 constexpr double kBytesPerTriangle = 250.0;
 
-/// Pieces of curves are off by no more than this part of a narrow gap beside them.
+/// Pieces of curves are off by no more than this part of a narrow gap beside them. Without
+/// refinement, which is for topology and speed, pieces need only not cross.
 constexpr double kGapShare = 0.1;
 
 void require(bool ok, const char* message)
@@ -311,7 +312,7 @@ private:
         SampleOptions sampleOptions {.straightSegments = options_.refine && !options_.freezeBoundary,
                                      .piecesPerTurn = options_.sizes.piecesPerTurn,
                                      .chordError = options_.sizes.chordError,
-                                     .gapShare = kGapShare,
+                                     .gapShare = options_.refine ? kGapShare : 0.0,
                                      .growth = options_.growth};
         if (options_.memoryLimit > 0.0) {
             // Every piece has a triangle of its own.

@@ -23,13 +23,13 @@ def endless(monkeypatch):
     stopped = threading.Event()
     mesh, cancel = MeshRequest.mesh, MeshJob.cancel
 
-    def slow_mesh(request, prepared, progress, execution):
+    def slow_mesh(request, prepared, progress, *rest):
         def report(fraction, stage):
             progress(fraction, stage)
             if fraction > 0.2:
                 stopped.wait()
 
-        return mesh(request, prepared, report, execution)
+        return mesh(request, prepared, report, *rest)
 
     def stop(job):
         cancel(job)
