@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/huge_pages.h"
+
 #include <vector>
 
 namespace tessera
@@ -12,7 +14,7 @@ template<class T>
 void makeRoom(std::vector<T>& array)
 {
     if (array.size() == array.capacity()) {
-        array.reserve(array.size() + array.size() / 2 + 8);
+        reserveOnHugePages(array, array.size() + array.size() / 2 + 8);
     }
 }
 

@@ -12,6 +12,8 @@
 
 #include "delaunay/spatial_sort.h"
 
+#include "base/huge_pages.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -115,7 +117,9 @@ public:
         , sorted_(sorted)
         , items_(std::make_unique_for_overwrite<Item[]>(points.size()))
         , order_(points.size())
-    {}
+    {
+        preferHugePages(items_.get(), points.size() * sizeof(Item));
+    }
 
     std::vector<std::uint32_t> run(const Box2& box)
     {
@@ -194,6 +198,7 @@ private:
         const std::size_t count = end - begin;
         if (scratch_ == nullptr) {
             scratch_ = std::make_unique_for_overwrite<Item[]>(points_.size());
+            preferHugePages(scratch_.get(), points_.size() * sizeof(Item));
         }
         Item* from = items_.get() + begin;
         Item* to = scratch_.get();

@@ -13,6 +13,7 @@
 // sets included; deterministic; ties among cocircular points are broken by the insertion order.
 // Complexity: O(n log n) expected over the random rounds. Memory: 76 bytes a point.
 
+#include "base/huge_pages.h"
 #include "delaunay/cavity.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/place.h"
@@ -90,6 +91,7 @@ public:
         for (const Vec2 p : points) {
             box_.add(p);
         }
+        reserveOnHugePages(t().points, points.size() + 1);
         t().points.resize(points.size() + 1);
         order_ = sortForInsertion(points, box_, std::span(t().points).subspan(1));
         result_.vertexOfPoint.resize(points.size());
@@ -146,7 +148,7 @@ private:
         moveTo(1, second);
         moveTo(2, third);
         t().incident.assign(4, Topology::kDead);
-        t().triangles.reserve(2 * n);
+        reserveOnHugePages(t().triangles, 2 * n);
         startTriangles(t(), 1, 2, 3);
         return true;
     }

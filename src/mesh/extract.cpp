@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/extract.h"
 
+#include "base/huge_pages.h"
 #include "base/parallel.h"
 #include "mesh/node_order.h"
 
@@ -83,11 +84,15 @@ private:
     /// The first writing to new memory costs more than the rest: threads share it array by array.
     void makeRoom(std::size_t nodes, std::size_t triangles)
     {
+        const auto resize = [](auto& array, std::size_t size) {
+            reserveOnHugePages(array, size);
+            array.resize(size);
+        };
         Mesh& mesh = result_.mesh;
         runTogether(
-            execution_, [&] { mesh.triangles.resize(triangles); },
-            [&] { mesh.nodes.resize(nodes); }, [&] { mesh.triangleRegion.resize(triangles); },
-            [&] { mesh.nodeOrigin.resize(nodes); });
+            execution_, [&] { resize(mesh.triangles, triangles); },
+            [&] { resize(mesh.nodes, nodes); }, [&] { resize(mesh.triangleRegion, triangles); },
+            [&] { resize(mesh.nodeOrigin, nodes); });
     }
 
     void takeNodes()

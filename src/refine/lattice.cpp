@@ -20,6 +20,7 @@
 
 #include "refine/lattice.h"
 
+#include "base/huge_pages.h"
 #include "base/parallel.h"
 #include "delaunay/delaunay.h"
 
@@ -93,7 +94,7 @@ private:
     void makeRoomForAll()
     {
         const auto extend = [](auto& array, std::size_t size, const auto& value) {
-            array.reserve(size + size / 8);
+            reserveOnHugePages(array, size + size / 8);
             array.resize(size, value);
         };
         WorkingMesh& mesh = editor_.mesh();
