@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tessera
 {
@@ -40,6 +41,14 @@ void cut(const CurveSet& curves, const Arc& arc, int depth, std::vector<Arc>& ar
     // Fresh bounds while the pieces are large; halve() would keep the whole curve's.
     cut(curves, makeArc(curves, arc.curve, arc.a, middle), depth - 1, arcs);
     cut(curves, makeArc(curves, arc.curve, middle, arc.b), depth - 1, arcs);
+}
+
+void cutOne(const CurveSet& curves, std::uint32_t curve, std::vector<Arc>& arcs)
+{
+    const std::vector<double> ends = smoothIntervals(curves[curve]);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        cut(curves, makeArc(curves, curve, ends[i], ends[i + 1]), kMaxDepth, arcs);
+    }
 }
 
 } // namespace
@@ -99,14 +108,17 @@ std::vector<Arc> cutIntoArcs(const CurveSet& curves)
 {
     std::vector<Arc> arcs;
     for (std::uint32_t c = 0; c < curves.size(); ++c) {
-        if (curves.find(c) == nullptr) {
-            continue;
-        }
-        const std::vector<double> ends = smoothIntervals(curves[c]);
-        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-            cut(curves, makeArc(curves, c, ends[i], ends[i + 1]), kMaxDepth, arcs);
+        if (curves.find(c) != nullptr) {
+            cutOne(curves, c, arcs);
         }
     }
+    return arcs;
+}
+
+std::vector<Arc> cutIntoArcs(const CurveSet& curves, std::uint32_t curve)
+{
+    std::vector<Arc> arcs;
+    cutOne(curves, curve, arcs);
     return arcs;
 }
 
@@ -136,6 +148,26 @@ double nearestParameter(const CurveSet& curves, const Arc& arc, Vec2 p)
         }
     }
     return t;
+}
+
+double nearestParameter(const CurveSet& curves, std::span<const Arc> arcs, std::uint32_t curve,
+                        double low, double high, Vec2 p)
+{
+    double best = low;
+    double least = std::numeric_limits<double>::infinity();
+    auto arc = std::lower_bound(arcs.begin(), arcs.end(), curve,
+                                [](const Arc& a, std::uint32_t c) { return a.curve < c; });
+    for (; arc != arcs.end() && arc->curve == curve; ++arc) {
+        const double from = std::max(low, arc->a);
+        const double to = std::min(high, arc->b);
+        if (from <= to) {
+            const double t = std::clamp(nearestParameter(curves, *arc, p), from, to);
+            const double d = distance(curves[curve].point(t), p);
+            best = d < least ? t : best;
+            least = std::min(least, d);
+        }
+    }
+    return best;
 }
 
 } // namespace tessera

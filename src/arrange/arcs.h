@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,8 +60,14 @@ std::pair<Arc, Arc> halve(const CurveSet& curves, const Arc& arc);
 /// All curves cut at their breaks and further into arcs whose tangents turn by less than about a
 /// right angle, straight curves as one arc each. Curves without length have none.
 std::vector<Arc> cutIntoArcs(const CurveSet& curves);
+/// Those of one curve that is meshed.
+std::vector<Arc> cutIntoArcs(const CurveSet& curves, std::uint32_t curve);
 
 /// The parameter in [a, b] of the arc's point nearest to p, for p near the arc.
 double nearestParameter(const CurveSet& curves, const Arc& arc, Vec2 p);
+/// The parameter in [low, high] of the curve's point nearest to p, which is near it; arcs: of all
+/// curves, as cutIntoArcs() orders them.
+double nearestParameter(const CurveSet& curves, std::span<const Arc> arcs, std::uint32_t curve,
+                        double low, double high, Vec2 p);
 
 } // namespace tessera

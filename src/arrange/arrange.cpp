@@ -5,11 +5,14 @@
 #include "arrange/cross_curves.h"
 #include "arrange/cross_straight.h"
 #include "arrange/weld.h"
+#include "arrange/weld_overlaps.h"
 #include "curve/curve_tools.h"
 #include "curve/default_roles.h"
 #include "curve/network_check.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -35,10 +38,49 @@ std::vector<std::uint8_t> usedPoints(const CurveNetwork& network)
     return used;
 }
 
-/// Seams are no ends: where nothing else takes part they become one only if they are up to
-/// rounding, as closed curves that touch there need it.
-void keepSeamsApart(const CurveNetwork& network, double rounding, const Execution& execution,
+/// Of the seams that are near each other, joins those of closed curves that are one ring.
+void joinSeamsAlong(const CurveNetwork& network, double tolerance,
+                    const std::vector<std::uint32_t>& near,
+                    const std::vector<std::uint8_t>& wanted,
                     std::vector<std::uint32_t>& representative)
+{
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> seams; // lowest point nearby, seam
+    for (std::uint32_t p = 0; p < near.size(); ++p) {
+        if (wanted[p] != 0 && representative[p] == p) {
+            seams.emplace_back(near[p], p);
+        }
+    }
+    std::sort(seams.begin(), seams.end());
+    std::map<std::uint32_t, std::uint32_t> curveAt;
+    for (std::uint32_t c = 0; c < network.curves.size(); ++c) {
+        if (network.curves[c].role != Role::Ignored) {
+            curveAt.emplace(network.curves[c].start.value, c);
+        }
+    }
+    const CurveSet curves(network);
+    AlongTest along(curves, tolerance, meetingDistance(network, tolerance));
+    std::map<std::uint32_t, std::uint32_t> joined;
+    for (std::size_t i = 0; i < seams.size(); ++i) {
+        for (std::size_t j = i; j-- > 0 && seams[j].first == seams[i].first;) {
+            const std::uint32_t first = seams[j].second;
+            const std::uint32_t seam = seams[i].second;
+            if (!joined.contains(first)
+                && along.areOneRing(curveAt.at(first), curveAt.at(seam))) {
+                joined[seam] = first;
+                break;
+            }
+        }
+    }
+    for (std::uint32_t& p : representative) {
+        const auto found = joined.find(p);
+        p = found == joined.end() ? p : found->second;
+    }
+}
+
+/// Seams are no ends: where nothing else takes part they become one only if they are up to
+/// rounding, as closed curves that touch there need it, or if their curves are one ring.
+void keepSeamsApart(const CurveNetwork& network, double rounding, double tolerance,
+                    const Execution& execution, std::vector<std::uint32_t>& representative)
 {
     std::vector<std::uint8_t> wanted = findSeams(network);
     for (std::size_t p = 0; p < representative.size(); ++p) {
@@ -49,17 +91,30 @@ void keepSeamsApart(const CurveNetwork& network, double rounding, const Executio
     for (std::size_t p = 0; p < representative.size(); ++p) {
         wanted[p] = wanted[p] != 0 && wanted[representative[p]] != 0 ? 1 : 0;
     }
+    const std::vector<std::uint32_t> near = representative;
     const WeldResult equal = weldPoints(network.points, wanted, rounding, execution);
     for (std::size_t p = 0; p < representative.size(); ++p) {
         if (wanted[p] != 0) {
             representative[p] = equal.representative[p];
         }
     }
+    joinSeamsAlong(network, tolerance, near, wanted, representative);
 }
 
-/// Renumbers the points that stay, in their order, and fills report.pointOf.
+bool movesPoints(const CurveNetwork& network, const std::vector<std::uint32_t>& representative)
+{
+    for (std::size_t p = 0; p < representative.size(); ++p) {
+        if (!(network.points[p] == network.points[representative[p]])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Renumbers the points that stay, in their order, and fills report.pointOf. Points within noise of
+/// each other were meant to be one: joining them is not counted.
 std::vector<Vec2> compactPoints(const CurveNetwork& network, const std::vector<std::uint8_t>& used,
-                                const std::vector<std::uint32_t>& representative,
+                                const std::vector<std::uint32_t>& representative, double noise,
                                 ArrangeReport& report)
 {
     std::vector<Vec2> points;
@@ -75,7 +130,7 @@ std::vector<Vec2> compactPoints(const CurveNetwork& network, const std::vector<s
         }
         else {
             report.pointOf[p] = report.pointOf[lowest];
-            report.welded += network.points[p] == network.points[lowest] ? 0 : 1;
+            report.welded += distance(network.points[p], network.points[lowest]) > noise ? 1 : 0;
         }
     }
     return points;
@@ -127,6 +182,12 @@ void addMessages(double weld, ArrangeReport& report)
             + " joined to the inside of a curve" + within + ", which bends curves by up to "
             + numberText(report.greatestBend) + ".");
     }
+    if (report.weldedAlong > 0) {
+        report.messages.push_back(
+            counted(report.weldedAlong, " curve runs", " curves run") + " along another one"
+            + within + ", up to " + numberText(report.greatestGap)
+            + " from it, and became one with it.");
+    }
     if (!report.chainsLeft.empty()) {
         const Vec2 place = report.chainsLeft.front().position;
         report.messages.push_back(
@@ -156,13 +217,14 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
     const std::vector<std::uint8_t> none(network.points.size(), 0);
     WeldResult weld =
         weldPoints(network.points, tolerance > 0.0 ? used : none, tolerance, execution);
-    keepSeamsApart(network, roundingDistance(network), execution, weld.representative);
+    keepSeamsApart(network, roundingDistance(network), tolerance, execution, weld.representative);
     for (const std::uint32_t p : weld.chainsLeft) {
         report.chainsLeft.push_back({network.points[p]});
     }
 
     CurveNetwork result = network;
-    result.points = compactPoints(network, used, weld.representative, report);
+    result.points =
+        compactPoints(network, used, weld.representative, noiseDistance(network), report);
     for (NetworkCurve& curve : result.curves) {
         curve.start = report.pointOf[curve.start.index()];
         curve.end = report.pointOf[curve.end.index()];
@@ -171,7 +233,7 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
         embedded.point = report.pointOf[embedded.point.index()];
     }
     report.swallowed = collapseShortCurves(network, options.weld, result);
-    if (report.welded > 0) {
+    if (movesPoints(network, weld.representative)) {
         renewPolyRoles(result);
     }
     settleChainRoles(result);
@@ -179,7 +241,9 @@ CurveNetwork arrange(const CurveNetwork& network, const ArrangeOptions& options,
         report.parent.emplace_back(c);
     }
     report.firstCrossing = result.firstCrossing = result.points.size();
+    const std::vector<std::uint8_t> wasSeam = findSeams(result);
     weldPointsOntoCurves(result, options, report, execution);
+    weldOverlaps(result, wasSeam, options, report, execution);
     if (options.crossStraight) {
         crossStraightCurves(result, options, report, execution);
     }

@@ -137,8 +137,8 @@ private:
 
     void finish(std::vector<Stretch>& open)
     {
-        for (const Stretch& stretch : open) {
-            if (isOverlap(stretch)) {
+        for (Stretch& stretch : open) {
+            if (isOverlap(stretch) || trimToOverlap(stretch)) {
                 result_.overlaps.push_back(stretch);
             }
             else {
@@ -178,6 +178,57 @@ private:
         return length > 256.0 * near_ && isEnd(s.a0, s.b0) && isEnd(s.a1, s.b1);
     }
 
+    /// Curves may leave each other where neither ends: two splines with the same first spans. They
+    /// are equal up to rounding as far as they overlap, while beside a touch, of whatever order, only
+    /// a small part of the stretch is. Trims it to where they are.
+    bool trimToOverlap(Stretch& s) const
+    {
+        constexpr int kSteps = 64;
+        constexpr double kEqual = 1.0 / 64.0;
+        const double length = (s.a1 - s.a0) * speedAt(s.curveA, 0.5 * (s.a0 + s.a1));
+        if (length <= 256.0 * near_) {
+            return false;
+        }
+        const auto equalAt = [&](double share) {
+            const Vec2 p = curves_[s.curveA].point((1.0 - share) * s.a0 + share * s.a1);
+            return distance(p, curves_[s.curveB].point(facing(s, p))) <= kEqual * near_;
+        };
+        double low = 1.0;
+        double high = 0.0;
+        int equal = 0;
+        for (int i = 0; i <= kSteps; ++i) {
+            const double share = static_cast<double>(i) / kSteps;
+            if (equalAt(share)) {
+                ++equal;
+                low = std::min(low, share);
+                high = std::max(high, share);
+            }
+        }
+        if (equal < 0.8 * kSteps) {
+            return false;
+        }
+        double outer[] = {std::max(0.0, low - 1.0 / kSteps), std::min(1.0, high + 1.0 / kSteps)};
+        for (int i = 0; i < 30; ++i) {
+            const double first = 0.5 * (outer[0] + low);
+            const double last = 0.5 * (outer[1] + high);
+            (equalAt(first) ? low : outer[0]) = first;
+            (equalAt(last) ? high : outer[1]) = last;
+        }
+        const double a0 = (1.0 - low) * s.a0 + low * s.a1;
+        const double a1 = (1.0 - high) * s.a0 + high * s.a1;
+        const double b0 = facing(s, curves_[s.curveA].point(a0));
+        const double b1 = facing(s, curves_[s.curveA].point(a1));
+        s = {s.curveA, s.curveB, a0, a1, b0, b1};
+        return true;
+    }
+
+    /// Where on curve B a point of curve A's stretch lies.
+    double facing(const Stretch& s, Vec2 p) const
+    {
+        return nearestParameter(curves_, arcs_, s.curveB, std::min(s.b0, s.b1),
+                                std::max(s.b0, s.b1), p);
+    }
+
     bool isEndOf(std::uint32_t curve, double t) const
     {
         const double reach = 64.0 * near_ / std::max(speedAt(curve, t), near_);
@@ -201,6 +252,13 @@ private:
         return middle;
     }
 
+    /// Where a curve ends by far it may not even be finite, and Newton's method has failed.
+    static bool isNearDomain(const Curve& curve, double t)
+    {
+        const double margin = 0.5 * (curve.last() - curve.first());
+        return t >= curve.first() - margin && t <= curve.last() + margin;
+    }
+
     /// Newton's method on gap . a' = 0 and a' x b' = 0.
     Contact parallelPlace(Contact from) const
     {
@@ -222,6 +280,9 @@ private:
             }
             from.s -= (f * gt - ft * g) / determinant;
             from.t -= (fs * g - f * gs) / determinant;
+            if (!isNearDomain(a, from.s) || !isNearDomain(b, from.t)) {
+                break;
+            }
         }
         return from;
     }
@@ -241,6 +302,9 @@ private:
             }
             from.s += cross(gap, db) / determinant;
             from.t += cross(gap, da) / determinant;
+            if (!isNearDomain(a, from.s) || !isNearDomain(b, from.t)) {
+                break;
+            }
         }
         return from;
     }

@@ -6,8 +6,8 @@
 #include "arrange/contacts.h"
 #include "arrange/split_curves.h"
 #include "arrange/weld.h"
+#include "arrange/weld_overlaps.h"
 #include "curve/curve_tools.h"
-#include "curve/curve_views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,7 +144,7 @@ private:
     /// A curve passes through each of its points from now on, however far that was from it.
     void countBends(const std::vector<CurveSplit>& splits)
     {
-        const double rounding = meetingDistance(network_, weld_);
+        const double rounding = std::max(meetingDistance(network_, weld_), noiseDistance(network_));
         std::vector<std::uint32_t> points;
         for (const CurveSplit& split : splits) {
             const Vec2 position = network_.points[split.point.index()];
@@ -274,8 +274,9 @@ private:
                 });
             for (auto s = first; s != byCurve.end() && s->curve == from && s->t <= std::max(t0, t1);
                  ++s) {
-                const double u = nearestOn(to, std::min(u0, u1), std::max(u0, u1),
-                                           network_.points[s->point.index()]);
+                const double u = nearestParameter(curves_, arcs_, to, std::min(u0, u1),
+                                                  std::max(u0, u1),
+                                                  network_.points[s->point.index()]);
                 splits_.push_back({to, u, s->point});
             }
         };
@@ -286,27 +287,6 @@ private:
         if (splits_.size() > count) {
             dropRepeated();
         }
-    }
-
-    /// The nearest of a curve's arcs, as far as they lie between two parameters.
-    double nearestOn(std::uint32_t curve, double low, double high, Vec2 p) const
-    {
-        double best = low;
-        double least = std::numeric_limits<double>::infinity();
-        auto arc = std::lower_bound(arcs_.begin(), arcs_.end(), curve,
-                                    [](const Arc& a, std::uint32_t c) { return a.curve < c; });
-        for (; arc != arcs_.end() && arc->curve == curve; ++arc) {
-            const double from = std::max(low, arc->a);
-            const double to = std::min(high, arc->b);
-            if (from <= to) {
-                const double t =
-                    std::clamp(nearestParameter(curves_, *arc, p), from, to);
-                const double d = distance(curves_[curve].point(t), p);
-                best = d < least ? t : best;
-                least = std::min(least, d);
-            }
-        }
-        return best;
     }
 
     void dropRepeated()
@@ -365,15 +345,7 @@ private:
         if (!sameEnds) {
             return false;
         }
-        if (!a.geometry || !b.geometry) {
-            a.geometry = b.geometry = nullptr;
-        }
-        else if (alike) {
-            b.geometry = a.geometry;
-        }
-        else {
-            b.geometry = std::make_shared<ReversedCurve>(a.geometry);
-        }
+        tessera::shareGeometry(a, b, alike);
         return true;
     }
 
@@ -399,6 +371,11 @@ double meetingDistance(const CurveNetwork& network, double weld)
 double roundingDistance(const CurveNetwork& network)
 {
     return 16.0 * kRounding * scaleOf(network);
+}
+
+double noiseDistance(const CurveNetwork& network)
+{
+    return 64.0 * std::numeric_limits<double>::epsilon() * scaleOf(network);
 }
 
 std::vector<std::uint8_t> findSeams(const CurveNetwork& network)

@@ -16,6 +16,10 @@ double meetingDistance(const CurveNetwork& network, double weld);
 /// Crossings closer to each other than this are one: 16 times what computing one may err.
 double roundingDistance(const CurveNetwork& network);
 
+/// Points closer than this differ by rounding alone, of whoever computed them: 64 units in the last
+/// place of the greatest coordinate or the size.
+double noiseDistance(const CurveNetwork& network);
+
 /// By point: only closed curves use it, which begin and end there because they must somewhere.
 std::vector<std::uint8_t> findSeams(const CurveNetwork& network);
 

@@ -30,8 +30,9 @@ EdgeCurve curveOf(const TopoDS_Edge& edge);
 std::vector<gp_Pnt> pointsAlong(const EdgeCurve& edge);
 
 /// The curve cut where its direction jumps (knots of full multiplicity of a B-spline, vertices of
-/// a polyline), so that every piece is smooth. Most curves are one piece. No piece is a periodic
-/// B-spline.
+/// a polyline) or turns back (cusps), so that every piece is smooth. A B-spline whose control points
+/// lie on a line becomes straight lines, from turn to turn. Most curves are one piece. No piece is a
+/// periodic B-spline.
 std::vector<EdgeCurve> smoothPieces(const EdgeCurve& edge);
 
 } // namespace tessera

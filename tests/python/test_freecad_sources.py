@@ -235,6 +235,37 @@ def test_open_sketch_names_the_geometry(document):
     assert places["Geometry0"].point == (0.0, 0.0, 50.0)
 
 
+def test_a_circle_and_a_spline_that_approximates_it_are_one_curve():
+    circle = Part.Circle(Vector(1, 2, 0), Vector(0, 0, 1), 3.0)
+    spline = circle.toBSpline()
+    apart = max(
+        abs((spline.value(0.01 * i) - circle.Center).Length - 3.0) for i in range(628)
+    )
+    assert 1e-9 < apart < 1e-6  # crosses the circle many times
+    alone = tessera.mesh(circle.toShape())
+    both = tessera.mesh([circle.toShape(), spline.toShape()])
+    assert both.report["regions"] == 1
+    assert both.report["crossings"] == 0
+    assert both.report["area"] == pytest.approx(alone.report["area"], rel=1e-12)
+    assert len(both.triangles) == len(alone.triangles)
+    assert any("runs along another one" in message for message in both.report["messages"])
+    assert_conforming(both)
+
+
+@pytest.mark.parametrize("places", [(0, 10, 0), (0, 10, -6, 4), (0, 1, 5, 8)], ids=str)
+def test_a_spline_that_runs_forth_and_back_on_a_line(places):
+    way = Vector(0.8, 0.6, 0)
+    curve = Part.BezierCurve()
+    curve.setPoles([Vector(1, 1, 0) + way * place for place in places])
+    square = Part.makePlane(12, 12)
+    mesh = tessera.mesh([square, curve.toShape()])
+    assert mesh.report["area"] == pytest.approx(144, rel=1e-12)
+    assert len(mesh.triangles) < 4000
+    along = [(curve.value(0.001 * i) - Vector(1, 1, 0)).dot(way) for i in range(1001)]
+    edges = mesh.edges[mesh.groups["Shape2_Edge1"].members]
+    assert length_of(mesh, edges) == pytest.approx(max(along) - min(along), abs=1e-3)
+
+
 def test_lines_that_overlap_in_part_are_named(document):
     sides = rectangle(20, 10)
     sides[0] = Part.LineSegment(Vector(0, 0), Vector(12, 0))
