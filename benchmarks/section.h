@@ -104,6 +104,9 @@ public:
         benchmark::AddCustomContext("compiler", kCompiler);
     }
 
+    /// What the document says above the section's tables.
+    void note(const std::string& text) { benchmark::AddCustomContext("note", text); }
+
     /// Names contain no '/'. repetitions: fewer for what takes seconds.
     void add(const std::string& input, const std::string& engine, Run run, int repetitions = 7)
     {

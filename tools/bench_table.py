@@ -3,7 +3,8 @@
 
 Reads what the executables of benchmarks/ (benchmarks/section.h) write as JSON. Prints one table
 with a line for each input: our time, its ratio to the peers' times, bytes per vertex, targets.
---write puts that table into a file too, with the machine, and with all engines' figures below.
+--write puts each section into a file too, with the machine and all engines' figures, in place of
+the section of that title if there is one; the file's other sections stay.
 """
 
 import argparse
@@ -18,13 +19,12 @@ from statistics import median
 HEAD = """\
 # Benchmarks
 
-Made by `tools/bench --write`, on {machine}.
+Made by `tools/bench --write`; each section tells on what machine and when.
 
 Medians of process CPU time (seven runs, one of what takes seconds); one thread; all engines of a
 section in one process, in random order, on the same input. **ratio** is Tessera's time over the
 peer's, **bytes** the greatest growth of the heap during the job over the number of vertices of its
 result. Absolute times drift with the machine's load, ratios less.
-
 """
 
 
@@ -78,6 +78,7 @@ class Section:
         self.title = context.get("title", Path(path).stem)
         self.peers = context.get("peers", "")
         self.compiler = context.get("compiler", "")
+        self.note = context.get("note", "")
         self.load = max(context.get("load_avg") or [0])
         runs = {}
         for run in result["benchmarks"]:
@@ -135,7 +136,8 @@ def summary(sections):
     """One line for each input that has a peer."""
     rows = [["input", "ms", "peer", "ratio", "target", "bytes", "target", "ratio to others", "also"]]
     for section in sections:
-        rows.append([f"**{section.title}**"] + [""] * 8)
+        if len(sections) > 1:
+            rows.append([f"**{section.title}**"] + [""] * 8)
         for case in section.cases:
             ours, reference = case.engines[0], case.find(case.reference)
             if reference is None and not case.column_targets:
@@ -200,11 +202,20 @@ def machine(sections):
     return "; ".join(parts)
 
 
-def document(sections):
-    compared = [section for section in sections if section.has_peer]
-    parts = [HEAD.format(machine=machine(sections)), summary(compared), "\n"]
-    parts += [f"\n## {section.title}\n\n{details(section)}\n" for section in sections]
-    return "".join(parts)
+def chapter(section):
+    parts = [f"## {section.title}", f"On {machine([section])}."]
+    parts += [section.note] if section.note else []
+    parts += [summary([section])] if section.has_peer else []
+    return "\n\n".join([*parts, details(section)]) + "\n"
+
+
+def update(path, sections):
+    """Puts the sections into the file in place of those of the same titles, or at its end."""
+    text = path.read_text() if path.exists() else HEAD
+    head, *chapters = re.split(r"^(?=## )", text, flags=re.MULTILINE)
+    chapters = {chapter.splitlines()[0]: chapter for chapter in chapters}
+    chapters |= {f"## {section.title}": chapter(section) for section in sections}
+    path.write_text("\n".join(part.rstrip("\n") + "\n" for part in [head, *chapters.values()]))
 
 
 def main():
@@ -220,7 +231,7 @@ def main():
         if not section.has_peer:
             print(f"\n{section.title}\n\n{details(section)}")
     if arguments.write:
-        Path(arguments.write).write_text(document(sections))
+        update(Path(arguments.write), sections)
 
 
 if __name__ == "__main__":
