@@ -34,7 +34,7 @@ def test_sections_are_replaced_by_title_and_the_others_stay(tmp_path):
     first = table.read_text()
     assert first.startswith("# Benchmarks\n") and "CGAL 5.5" in first
     assert first.index("## A") < first.index("111") < first.index("## B") < first.index("555")
-    assert "| 0.5 |" in first.replace("  ", " ") and "≤ 0.4 missed" in first
+    assert " 0.5 |" in first and "≤ 0.4 missed" in first
 
     bench_table.update(table, [section(tmp_path, "A", 333, "As told.")])
     second = table.read_text()
