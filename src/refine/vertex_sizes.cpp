@@ -9,10 +9,15 @@
 // triangulation (Dijkstra), constrained edges longer than kLongest times the mean size of their
 // ends are split, and all is repeated until nothing changes.
 //
-// Corners below 60 degrees: between the arms nothing can be placed or moved, so the arms get equal
-// first edges (a shell). Those are never split, and only from the shell outwards the distance
-// between the arms counts as a gap. Then the one triangle at the corner is isosceles and its
-// smallest angle is the input angle.
+// Corners below 60 degrees: between the arms nothing can be placed or moved, so the arms get about
+// equal first edges (a shell). Those are never split, and only from the shell outwards the distance
+// between the arms counts as a gap. Then the smallest angle of the one triangle at the corner is
+// the input angle, or above 40 degrees.
+//
+// Constrained edges were sampled by the size field, which may grow faster than free vertices shall:
+// until all are divided, sizes grow at its rate. Else edges would be halved for growth alone (at a
+// growth of 0.5 every sixth one; the mean quality was 0.9540 then instead of 0.9548, the share of
+// edges below 0.7 of their size 30 % instead of 0.5 %).
 //
 // An edge is halved in one round as often as the sizes of its ends demand; sizes measured at the
 // new vertices may demand more in the next round.
@@ -40,7 +45,12 @@ namespace
 constexpr double kGapRatio = 0.75;
 constexpr double kLongest = 1.42;
 constexpr int kRounds = 12;
-constexpr double kEqualArms = 1.02;
+/// Arms of a corner pass as equal up to this ratio. Where the corner has kSharpWedge or more, the
+/// smallest angle of the triangle there is the input angle up to 41 degrees, and above 40.8 degrees
+/// beyond that. Sharper ones need more equal arms for the triangles behind.
+constexpr double kEqualArms = 1.5;
+constexpr double kEqualArmsOfSharp = 1.02;
+constexpr double kSharpWedge = std::numbers::pi / 6.0;
 } // namespace
 
 VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const RefineOptions& options)
@@ -50,6 +60,7 @@ VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const Refine
     , options_(options)
     , hopelessGap_(hopelessGap(options.minAngle))
     , areaSize_(sizeForArea(options.maxArea))
+    , growthOnEdges_(std::clamp(size.gradientBound(), kGrowth, kGrowthOnEdges))
 {}
 
 void VertexSizes::prepare(RefineReport& report, Execution& execution)
@@ -64,13 +75,14 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
         h_ = field_;
         measureSpacing();
         measureGaps();
-        limitGrowth();
+        limitGrowth(growthOnEdges_);
         requireFewTriangles(leastPieces(), options_);
         // The last round may not split: every vertex needs a size.
         if (options_.freezeBoundary || round + 1 == kRounds || splitLongEdges(report) == 0) {
             break;
         }
     }
+    limitGrowth(kGrowth);
 }
 
 void VertexSizes::lower(std::uint32_t vertex, double spacing)
@@ -118,20 +130,26 @@ void VertexSizes::makeShells(RefineReport& report)
     std::vector<std::uint32_t> ends;
     for (const std::uint32_t v : corners) {
         ends.clear();
+        double sharpest = kAcuteWedge;
         forEachWedge(t_, v, isKept, [&](HalfEdge arm, HalfEdge next, double angle) {
             if (angle < kAcuteWedge) {
+                sharpest = std::min(sharpest, angle);
                 ends.push_back(t_.destination(arm));
                 ends.push_back(t_.destination(next));
             }
         });
         std::sort(ends.begin(), ends.end());
         ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-        const double radius = shellRadius(v, ends);
+        const double equal = sharpest < kSharpWedge ? kEqualArmsOfSharp : kEqualArms;
+        const double radius = shellRadius(v, ends, equal);
         shell_[v] = radius;
         for (const std::uint32_t end : ends) {
             const double arm = distance(t_.points[v], t_.points[end]);
             const HalfEdge edge = t_.findEdge(v, end);
-            if (!options_.freezeBoundary && arm > kEqualArms * radius && edge != Topology::kDead
+            if (arm <= equal * radius) {
+                shell_[v] = std::max(shell_[v], arm);
+            }
+            else if (!options_.freezeBoundary && edge != Topology::kDead
                 && editor_.splitEdge(edge, radius / arm) != MeshEditor::kNone) {
                 ++report.segmentSplits;
             }
@@ -140,19 +158,23 @@ void VertexSizes::makeShells(RefineReport& report)
     }
 }
 
-/// A radius that leaves no short rest on any arm: an arm is about that long or cut well before its
-/// end.
-double VertexSizes::shellRadius(std::uint32_t v, const std::vector<std::uint32_t>& ends) const
+/// The shortest arm, if the size field allows it, or less so as to leave no short rest on any arm.
+/// Arms that are longer by no more than the ratio equal stay whole.
+double VertexSizes::shellRadius(std::uint32_t v, const std::vector<std::uint32_t>& ends,
+                                double equal) const
 {
-    double radius = fieldAt(t_.points[v]);
+    double radius = std::numeric_limits<double>::infinity();
     for (const std::uint32_t end : ends) {
         const double arm = distance(t_.points[v], t_.points[end]);
         // An arm between two corners is cut from both sides.
         radius = std::min(radius, shell_[end] > 0.0 ? 0.4 * arm : arm);
     }
+    // Pieces that were sampled by the size field stay as they are.
+    const double field = fieldAt(t_.points[v]);
+    radius = radius <= kLongest * field ? radius : field;
     for (const std::uint32_t end : ends) {
         const double arm = distance(t_.points[v], t_.points[end]);
-        if (arm > kEqualArms * radius && arm < 1.5 * radius) {
+        if (arm > equal * radius && arm < 1.5 * radius) {
             return 0.6 * radius;
         }
     }
@@ -201,15 +223,15 @@ void VertexSizes::measureGaps()
             const bool atCorner = (shell_[a] > 0.0 && t_.isConstrained(Topology::prev(h)))
                 || (shell_[b] > 0.0 && t_.isConstrained(Topology::next(h)));
             if (!atCorner) {
-                lowerToGap(a, gap.width + kGrowth * gap.foot * l);
-                lowerToGap(b, gap.width + kGrowth * (1.0 - gap.foot) * l);
+                lowerToGap(a, gap.width + growthOnEdges_ * gap.foot * l);
+                lowerToGap(b, gap.width + growthOnEdges_ * (1.0 - gap.foot) * l);
                 lowerToGap(t_.apex(h), gap.width);
             }
         }
     }
 }
 
-void VertexSizes::limitGrowth()
+void VertexSizes::limitGrowth(double growth)
 {
     using Entry = std::pair<double, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -219,7 +241,7 @@ void VertexSizes::limitGrowth()
             if (u == Topology::kInfinite || h_[u] <= h_[v] || !isBesideKept(edge)) {
                 return;
             }
-            const double limit = h_[v] + kGrowth * distance(t_.points[u], t_.points[v]);
+            const double limit = h_[v] + growth * distance(t_.points[u], t_.points[v]);
             if (limit < h_[u]) {
                 h_[u] = limit;
                 queue.emplace(limit, u);
@@ -238,7 +260,7 @@ void VertexSizes::limitGrowth()
             if (h_[low] > h_[high]) {
                 std::swap(low, high);
             }
-            if (h_[low] + kGrowth * distance(t_.points[low], t_.points[high]) < h_[high]) {
+            if (h_[low] + growth * distance(t_.points[low], t_.points[high]) < h_[high]) {
                 queue.emplace(h_[low], low);
             }
         }
@@ -285,7 +307,8 @@ std::size_t VertexSizes::splitLongEdges(RefineReport& report)
                 ++splits;
                 shell_.push_back(0.0);
                 field_.push_back(fieldAt(t_.points[v]));
-                h_.push_back(std::min(field_[v], std::min(h_[a], h_[b]) + 0.5 * kGrowth * l));
+                h_.push_back(
+                    std::min(field_[v], std::min(h_[a], h_[b]) + 0.5 * growthOnEdges_ * l));
                 pieces.emplace_back(a, v);
                 pieces.emplace_back(v, b);
             }

@@ -14,11 +14,14 @@ namespace tessera
 {
 
 /// The size that triangles at each vertex shall have: the size field, limited by the spacing of the
-/// constrained edges and by narrow gaps, growing from there by at most kGrowth per length.
+/// constrained edges and by narrow gaps, growing from there by at most kGrowth per length. On
+/// constrained edges sizes grow as fast as the size field does, which they were sampled by, so that
+/// their pieces are not split for growth alone.
 class VertexSizes
 {
 public:
-    static constexpr double kGrowth = 0.2;
+    static constexpr double kGrowth = 0.2;        ///< away from constrained edges
+    static constexpr double kGrowthOnEdges = 0.5; ///< at most, however fast the size field grows
 
     VertexSizes(MeshEditor& editor, const SizeField& size, const RefineOptions& options);
 
@@ -55,14 +58,15 @@ public:
 
 private:
     void makeShells(RefineReport& report);
-    double shellRadius(std::uint32_t v, const std::vector<std::uint32_t>& ends) const;
+    double shellRadius(std::uint32_t v, const std::vector<std::uint32_t>& ends,
+                       double equal) const;
     bool isShellEdge(std::uint32_t a, std::uint32_t b) const;
     bool isWorthSplitting(HalfEdge h) const;
     bool isBesideKept(HalfEdge h) const;
     void measureSpacing();
     bool isInHopelessGap(std::uint32_t triangle) const;
     void measureGaps();
-    void limitGrowth();
+    void limitGrowth(double growth);
     double leastPieces() const;
     std::size_t splitLongEdges(RefineReport& report);
     void lower(std::uint32_t vertex, double spacing);
@@ -73,9 +77,10 @@ private:
     const RefineOptions& options_;
     double hopelessGap_;
     double areaSize_;
+    double growthOnEdges_; ///< kGrowth .. kGrowthOnEdges
     std::vector<double> field_; ///< by vertex of the boundary: the size field there
     std::vector<double> h_;     ///< by vertex
-    std::vector<double> shell_; ///< by vertex: radius around a corner below 60 degrees, else <= 0
+    std::vector<double> shell_; ///< by vertex: longest arm of a corner below 60 degrees, else <= 0
 };
 
 } // namespace tessera
