@@ -63,6 +63,54 @@ TEST(Expression, IsRefusedInPlainWords)
     EXPECT_THROW(expressionSource(std::string(3000, '(') + "1"), Error);
 }
 
+TEST(Expression, NothingIsAssigned)
+{
+    for (const std::string text : {"y=2", "x = 2", "y==2 ? 1 : y=3", "pi=3", "=1", "x=", "x=y=2",
+                                   "(x)=2", "x<=y ? x=1 : 2", "x= =2"}) {
+        try {
+            expressionSource(text);
+            FAIL() << text;
+        }
+        catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::InvalidOption);
+            EXPECT_NE(std::string(error.what()).find("did you mean ==?"), std::string::npos)
+                << error.what();
+        }
+    }
+    EXPECT_EQ(expressionSource("x<=1 && x>=1 && x!=2 && x==1 ? 3 : 4").size({1, 0}), 3.0);
+}
+
+TEST(Expression, NamesTheWayToWriteWhatOthersWriteDifferently)
+{
+    const struct
+    {
+        const char* text;
+        const char* hint;
+    } cases[] {
+        {"x**2", "write ^"},
+        {"if(x<5,1,2)", "condition ? size : other size"},
+        {"1 if x<5 else 2", "condition ? size : other size"},
+        {"x<5 ? 1", "condition ? size : other size"},
+        {"1,5", "write a decimal point"},
+    };
+    for (const auto& c : cases) {
+        try {
+            expressionSource(c.text);
+            FAIL() << c.text;
+        }
+        catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find(c.hint), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(Expression, NumbersThatAreNoneHaveNoSign)
+{
+    const double value = expressionSource("sqrt(x)").size({-1, 0});
+    EXPECT_TRUE(std::isnan(value));
+    EXPECT_FALSE(std::signbit(value));
+}
+
 TEST(Expression, SourcesDoNotShareTheirVariables)
 {
     const AreaSource a = expressionSource("x");
