@@ -7,6 +7,7 @@
 #include "mesh/second_order.h"
 #include "optimize/optimize.h"
 #include "refine/working_mesh.h"
+#include "recover/snap_message.h"
 #include "region/colored_plane.h"
 #include "region/dropped_curves.h"
 #include "region/no_inside.h"
@@ -346,6 +347,9 @@ private:
             v = recovered_.vertexMap[v];
         }
         result_.report.recovery = joined(arranged_.crossed, recovered_.report);
+        if (const std::string text = describeSnapping(result_.report.recovery); !text.empty()) {
+            tell({text});
+        }
         watch_.lap(result_.report.seconds.recover);
     }
 

@@ -179,7 +179,7 @@ void addMessages(double weld, ArrangeReport& report)
     if (report.weldedOnto > 0) {
         report.messages.push_back(
             counted(report.weldedOnto, " end point was", " end points were")
-            + " joined to the inside of a curve" + within + ", which bends curves by up to "
+            + " joined to the inside of a curve" + within + ", which moves ends or bends curves by up to "
             + numberText(report.greatestBend) + ".");
     }
     if (report.weldedAlong > 0) {

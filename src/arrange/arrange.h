@@ -27,9 +27,11 @@ struct ArrangeOptions
 
 struct ArrangeReport
 {
-    std::size_t welded = 0; ///< points that were joined to another one, or to the inside of a curve
-    std::size_t weldedOnto = 0; ///< of these, those that bent a curve, by more than rounding
-    double greatestBend = 0.0;  ///< farthest that a curve was bent
+    /// Points that were joined to another one, or to the inside of a curve, by more than rounding.
+    std::size_t welded = 0;
+    std::size_t weldedOnto = 0; ///< of these, those that it moved, or that bent a curve, by more than
+                                ///< rounding
+    double greatestBend = 0.0;  ///< farthest that a curve was bent, or an end moved
     std::size_t weldedAlong = 0; ///< curves that became one with another one that they run along
     double greatestGap = 0.0;    ///< farthest apart that such curves were
     std::size_t swallowed = 0;  ///< curves too short for the tolerance, whose ends became one

@@ -88,6 +88,7 @@ public:
         const std::vector<CurveSplit> splits = nearest(std::move(found));
         report_.crossed.touches += splits.size();
         countBends(splits);
+        moveLooseEnds(splits);
         splitCurves(network_, splits, 4.0 * tolerance_, report_);
     }
 
@@ -139,6 +140,29 @@ private:
             i = j;
         }
         return splits;
+    }
+
+    /// The free end of a line moves onto the curve, so that an outline is not bent to it. Points
+    /// where several curves end, and embedded ones, stay: curves pass through them.
+    void moveLooseEnds(const std::vector<CurveSplit>& splits)
+    {
+        std::vector<std::uint32_t> ends(network_.points.size(), 0);
+        for (const NetworkCurve& curve : network_.curves) {
+            if (isMeshed(curve)) {
+                ++ends[curve.start.index()];
+                ++ends[curve.end.index()];
+            }
+        }
+        for (const EmbeddedPoint& embedded : network_.embedded) {
+            ends[embedded.point.index()] = 2;
+        }
+        for (const CurveSplit& split : splits) {
+            std::uint32_t& count = ends[split.point.index()];
+            if (count == 1) {
+                count = 2; // of several curves, onto the first
+                network_.points[split.point.index()] = curves_[split.curve].point(split.t);
+            }
+        }
     }
 
     /// A curve passes through each of its points from now on, however far that was from it.

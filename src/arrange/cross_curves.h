@@ -24,7 +24,8 @@ double noiseDistance(const CurveNetwork& network);
 std::vector<std::uint8_t> findSeams(const CurveNetwork& network);
 
 /// Makes points of the network that lie within the tolerance of a curve's inside points of that
-/// curve: it is cut there and passes through them. Seams only if they are on it up to rounding.
+/// curve: it is cut there and passes through them. The free end of a line moves onto the curve
+/// instead, the first one if there are several. Seams only if they are on it up to rounding.
 /// Straight curves are left to exact incidence if the tolerance is 0.
 void weldPointsOntoCurves(CurveNetwork& network, const ArrangeOptions& options,
                           ArrangeReport& report, Execution& execution);

@@ -22,6 +22,11 @@ inline const std::map<std::string, FillRule> kFillRules {
     {"positive", FillRule::Positive}, {"negative", FillRule::Negative},
     {"all", FillRule::All},           {"hull", FillRule::Hull},
 };
+inline const std::map<std::string, FillRule> kBooleanFillRules {
+    {"even-odd", FillRule::EvenOdd}, {"nonzero", FillRule::NonZero},
+    {"positive", FillRule::Positive}, {"negative", FillRule::Negative},
+    {"all", FillRule::All},
+};
 inline const std::map<std::string, int> kOrders {{"1", 1}, {"2", 2}};
 inline const std::map<std::string, RecoveryStrategy> kStrategies {
     {"cavity", RecoveryStrategy::Cavity},
@@ -29,15 +34,16 @@ inline const std::map<std::string, RecoveryStrategy> kStrategies {
 };
 
 /// Takes the names and nothing else: CLI11's own transformer lets the numbers behind them pass too.
-/// The choices must outlive the validator.
+/// Names those of `shown` where it refuses. Both must outlive the validator.
 template<class Choice>
-CLI::Validator namesOnly(const std::map<std::string, Choice>& choices)
+CLI::Validator namesOnly(const std::map<std::string, Choice>& choices,
+                         const std::map<std::string, Choice>& shown)
 {
-    const auto toNumber = [&choices](std::string& text) -> std::string {
+    const auto toNumber = [&choices, &shown](std::string& text) -> std::string {
         const auto found = choices.find(text);
         if (found == choices.end()) {
             std::string names;
-            for (const auto& [name, choice] : choices) {
+            for (const auto& [name, choice] : shown) {
                 names += (names.empty() ? "" : ", ") + name;
             }
             return fmt::format("'{}' is not one of {}", text, names);
@@ -46,6 +52,12 @@ CLI::Validator namesOnly(const std::map<std::string, Choice>& choices)
         return {};
     };
     return CLI::Validator(toNumber, "");
+}
+
+template<class Choice>
+CLI::Validator namesOnly(const std::map<std::string, Choice>& choices)
+{
+    return namesOnly(choices, choices);
 }
 
 /// Whole numbers between commas; CLI11 would take an empty one for 0.

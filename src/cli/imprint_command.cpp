@@ -9,6 +9,7 @@
 #include "cli/run_control.h"
 #include "cli/run_options.h"
 #include "imprint/imprint.h"
+#include "imprint/without_advice.h"
 #include "io/atomic_file.h"
 #include "io/counted.h"
 #include "io/imprint_report.h"
@@ -89,7 +90,8 @@ void addOptions(CLI::App& command, ImprintArguments& a)
                        "tolerance");
     addFillOption(command, a,
                   "What is inside a source or target: even-odd (default), nonzero, positive, "
-                  "negative or all (every bounded face)");
+                  "negative or all (every bounded face)",
+                  true);
     addControlOptions(command, a);
 }
 
@@ -169,7 +171,7 @@ Command addImprintCommand(CLI::App& program)
     const auto arguments = std::make_shared<ImprintArguments>();
     addOptions(*command, *arguments);
     requireOverlayOutput(*command, arguments);
-    return [arguments] { return runImprint(*arguments); };
+    return [arguments] { return withoutAdvice([&] { return runImprint(*arguments); }); };
 }
 
 } // namespace tessera::cli

@@ -8,6 +8,7 @@
 #include "cli/run_control.h"
 #include "cli/run_options.h"
 #include "imprint/overlay.h"
+#include "imprint/without_advice.h"
 #include "io/atomic_file.h"
 #include "io/counted.h"
 #include "io/overlay_pictures.h"
@@ -66,7 +67,8 @@ void addOptions(CLI::App& command, OverlayArguments& a)
         ->type_name("WHICH");
     addFillOption(command, a,
                   "What is inside an operand: even-odd (default), nonzero, positive, negative or "
-                  "all (every bounded face)");
+                  "all (every bounded face)",
+                  true);
     addRunOptions(command, a);
 }
 
@@ -149,7 +151,7 @@ Command addOverlayCommand(CLI::App& program)
     const auto arguments = std::make_shared<OverlayArguments>();
     addOptions(*command, *arguments);
     requireOverlayOutput(*command, arguments);
-    return [arguments] { return runOverlay(*arguments); };
+    return [arguments] { return withoutAdvice([&] { return runOverlay(*arguments); }); };
 }
 
 } // namespace tessera::cli

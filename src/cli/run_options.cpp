@@ -19,10 +19,11 @@ void addFileOptions(CLI::App& command, RunOptions& options, const std::string& o
     command.add_option("-o,--output", options.output, outputs)->required();
 }
 
-void addFillOption(CLI::App& command, RunOptions& options, const std::string& rules)
+void addFillOption(CLI::App& command, RunOptions& options, const std::string& rules,
+                   bool isOverlay)
 {
     command.add_option("--fill", options.fill, rules)
-        ->transform(namesOnly(kFillRules))
+        ->transform(namesOnly(kFillRules, isOverlay ? kBooleanFillRules : kFillRules))
         ->type_name("RULE");
 }
 

@@ -31,8 +31,9 @@ struct RunOptions
 /// INPUT and -o.
 void addFileOptions(CLI::App& command, RunOptions& options, const std::string& outputs);
 
-/// --fill; rules: what it says about the choices.
-void addFillOption(CLI::App& command, RunOptions& options, const std::string& rules);
+/// --fill; rules: what it says about the choices, of which an overlay has fewer.
+void addFillOption(CLI::App& command, RunOptions& options, const std::string& rules,
+                   bool isOverlay = false);
 
 /// --recovery, --time-limit, --report, --quiet.
 void addControlOptions(CLI::App& command, RunOptions& options);

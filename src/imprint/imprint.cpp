@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "imprint/patches.h"
 #include "imprint/true_area.h"
+#include "imprint/without_advice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -397,7 +398,7 @@ const char* nameOf(MismatchKind kind)
 ImprintResult imprintNetwork(const CurveNetwork& network, const std::vector<ImprintSide>& side,
                              const ImprintOptions& options, Execution& execution)
 {
-    return Imprint(network, side, options, execution).run();
+    return withoutAdvice([&] { return Imprint(network, side, options, execution).run(); });
 }
 
 } // namespace tessera

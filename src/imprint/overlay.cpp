@@ -11,7 +11,9 @@
 #include "curve/network_check.h"
 #include "imprint/contraction.h"
 #include "imprint/empty_overlay.h"
+#include "imprint/without_advice.h"
 #include "recover/constraint_map.h"
+#include "recover/snap_message.h"
 #include "sample/sample.h"
 #include "sizing/uniform_size.h"
 
@@ -171,6 +173,9 @@ private:
             recoverSegments();
         }
         addRecovery(result_.recovered.report);
+        if (std::string text = describeSnapping(result_.report.recovery); !text.empty()) {
+            result_.report.messages.push_back(std::move(text));
+        }
         vertexOfPoint_.resize(delaunay_.vertexOfPoint.size());
         std::transform(delaunay_.vertexOfPoint.begin(), delaunay_.vertexOfPoint.end(),
                        vertexOfPoint_.begin(),
@@ -401,7 +406,9 @@ CurvesThroughVertices::CurvesThroughVertices(const OverlayResult& result)
 OverlayResult overlayNetwork(CurveNetwork network, const OverlayOptions& options,
                              Execution& execution, StageObserver* stages)
 {
-    return Overlay(std::move(network), options, execution, stages).run();
+    return withoutAdvice([&] {
+        return Overlay(std::move(network), options, execution, stages).run();
+    });
 }
 
 } // namespace tessera

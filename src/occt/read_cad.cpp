@@ -194,7 +194,13 @@ std::vector<CadInput> readBrepTexts(std::span<const BrepText> shapes)
 
 CadInput readCad(const std::filesystem::path& path, const CadOptions& options)
 {
-    return networkFromShape(shapeFromFile(path), options);
+    const TopoDS_Shape shape = shapeFromFile(path);
+    try {
+        return networkFromShape(shape, options);
+    }
+    catch (const CadError& error) {
+        throw CadError(error.kind(), path.string() + ": " + error.what(), error.where());
+    }
 }
 
 } // namespace tessera

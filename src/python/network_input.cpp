@@ -289,8 +289,9 @@ void NetworkInput::addPolygon(const std::vector<Coordinates>& rings, const std::
             points.pop_back();
         }
         if (points.size() < 3) {
-            refuse("A polygon needs at least 3 different points; one has "
-                   + std::to_string(points.size()) + ".");
+            refuse(name + " has " + std::to_string(points.size())
+                   + (points.size() == 1 ? " point" : " points")
+                   + "; a polygon needs at least 3 different ones.");
         }
         const auto first = static_cast<std::uint32_t>(network.points.size());
         const auto count = static_cast<std::uint32_t>(points.size());

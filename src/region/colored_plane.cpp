@@ -90,6 +90,13 @@ AreaSource ColoredPlane::areaSource(const RegionSize& region) const
             const std::vector<OperandId>& covering = regions_.regions[r].operands;
             chosen[r] = std::binary_search(covering.begin(), covering.end(), region.operand) ? 1 : 0;
         }
+        if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) {
+            std::snprintf(text, sizeof text,
+                          "A size is for the inside of operand %zu, which encloses nothing; give "
+                          "its curves a size instead.",
+                          region.operand.index() + 1);
+            refuse(text);
+        }
     }
     else {
         const std::size_t found = isFinite(region.position) ? regionIndexAt(region.position) : 0;

@@ -333,6 +333,9 @@ def test_constraints_outside_the_outline_are_left_out_and_told(document):
     inside = mesh.edges[mesh.groups["Sketch_Geometry5"].members]
     assert length_of(mesh, inside) == pytest.approx(6.0)
     assert "Sketch_Geometry6" not in mesh.groups
+    # A user's boundary that crosses the outline loses its outer part as well, and that is told.
+    mesh = tessera.mesh(source, size=1.0, boundary=[4])
+    assert any("parts of Sketch_Geometry4" in text for text in mesh.report["messages"])
 
 
 def test_overlapping_lines_enclose_nothing(document):

@@ -71,6 +71,8 @@ def test_wrong_arguments_are_refused():
         {"direction": "up"},
         {"direction": (1, 0, 0)},
         {"direction": (0, 0, 0)},
+        {"direction": (0, float("nan"), 1)},
+        {"direction": (float("inf"), 0, 0)},
     ):
         with pytest.raises(tessera.InvalidOptionError):
             tessera.imprint(HALVES, THIRDS, **wrong)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """tessera.overlay() of arrays, without FreeCAD."""
 
+import sys
+
 import numpy as np
 import pytest
 
@@ -66,3 +68,33 @@ def test_wrong_options_are_refused():
             tessera.overlay([[SQUARE], [BAR]], **wrong)
     with pytest.raises(tessera.InvalidOptionError):
         operands().union(priority="middle")
+
+
+def test_files_of_unknown_kinds_are_refused_with_what_there_is(tmp_path):
+    with pytest.raises(tessera.UnwritableError, match=r"written as \.wkt, \.poly, \.brep"):
+        operands().union().write(tmp_path / "out.foo")
+    with pytest.raises(tessera.UnwritableError, match="a text or a path"):
+        operands().union().write(3)
+
+
+def test_faces_need_freecad(monkeypatch):
+    monkeypatch.setitem(sys.modules, "Part", None)  # as where it is not installed
+    with pytest.raises(tessera.Error, match="where FreeCAD runs"):
+        operands().union().to_shape()
+
+
+def test_the_polygon_without_area_is_named():
+    with pytest.raises(tessera.InvalidInputError, match="Polygon2 has 2 points"):
+        tessera.overlay([[SQUARE], [SQUARE[:2]]])
+
+
+def test_rounding_to_the_grid_is_told():
+    """A fan of lines at 1e8 whose crossings cannot be told apart."""
+    rings = []
+    for i in range(40):
+        y = 1e8 + 1e-7 * i
+        rings.append([(1e8, y), (1e8 + 10, 2e8 + 1.0 - y), (1e8 + 5, 1e8 + 20 + i)])
+    messages = tessera.overlay([[ring] for ring in rings]).cells.report
+    told = [text for text in messages["messages"] if "rounded to a grid" in text]
+    assert len(told) == (1 if messages["snap_pixel"] > 0 else 0)
+    assert messages["snap_pixel"] > 0

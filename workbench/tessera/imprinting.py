@@ -2,6 +2,7 @@
 """tessera.imprint(): the common refinement of the source and target faces of a sweep."""
 
 import json
+import math
 import os
 from contextlib import contextmanager
 from typing import Any, NamedTuple, Tuple
@@ -9,10 +10,16 @@ from typing import Any, NamedTuple, Tuple
 import numpy as np
 
 from tessera import arrays
-from tessera.errors import Error, InvalidInputError, InvalidOptionError
+from tessera.errors import Error, InvalidInputError, InvalidOptionError, UnwritableError
 from tessera.meshing import _FILLS, _RECOVERIES, Execution, _choice, _not_negative, _positive
 from tessera.native import module as native
+from tessera.result import name_of
 from tessera.sources import _items, _looks_like_cad, _prefixes
+
+#: Extensions of the files that an overlay or an imprint is written to.
+_OUTPUTS = (
+    ".wkt", ".poly", ".brep", ".brp", ".step", ".stp", ".vtu", ".vtk", ".msh", ".inp", ".svg", ".png"
+)
 
 
 class ImprintCell(NamedTuple):
@@ -95,7 +102,7 @@ class Imprint:
     def write(self, path):
         """Writes the imprinted faces as .brep or .step, or the cells as .wkt, .poly or in any format
         of tessera.Mesh.write()."""
-        self._data.write(os.fspath(path))
+        write_result(self._data, path)
 
     def to_shape(self):
         """A Part.Compound of two: of the sources and of the targets; in each a compound of faces for
@@ -114,9 +121,24 @@ class Imprint:
         return [own.Faces for own in self.to_shape().SubShapes[side].SubShapes]
 
 
+def write_result(data, path):
+    """Writes an overlay or an imprint; raises tessera.UnwritableError."""
+    path = name_of(path)
+    if not path.lower().endswith(_OUTPUTS):
+        listed = ", ".join(_OUTPUTS[:-1])
+        raise UnwritableError(f"{path}: results are written as {listed} or {_OUTPUTS[-1]}.")
+    data.write(path)
+
+
 def shape_from(brep):
     """A Part shape from the text of a .brep file."""
-    import Part
+    try:
+        import Part
+    except ModuleNotFoundError as error:
+        raise Error(
+            "Faces can only be made where FreeCAD runs; start the script with freecadcmd, or write "
+            "the result to a file."
+        ) from error
 
     shape = Part.Shape()
     shape.importBrepFromString(brep)
@@ -226,6 +248,8 @@ def _direction(direction):
         raise InvalidOptionError(
             f"direction must be three numbers, not {direction!r}."
         ) from error
+    if not all(map(math.isfinite, (x, y, z))):
+        raise InvalidOptionError(f"direction must be three finite numbers, not {direction!r}.")
     return (x, y, z)
 
 

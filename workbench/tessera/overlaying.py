@@ -2,12 +2,11 @@
 """tessera.overlay(): Boolean operations on any number of shapes."""
 
 import json
-import os
 
 import numpy as np
 
 from tessera.errors import InvalidOptionError
-from tessera.imprinting import shape_from
+from tessera.imprinting import shape_from, write_result
 from tessera.meshing import _FILLS, _RECOVERIES, Execution, _choice, _not_negative, _positive
 from tessera.native import module as native
 from tessera.sources import Prepared, prepare
@@ -83,7 +82,7 @@ class Polygons:
     def write(self, path):
         """Writes .wkt or .poly, faces as .brep or .step in the frame of the first sketch, or the
         triangles in any format of tessera.Mesh.write()."""
-        self._data.write(os.fspath(path))
+        write_result(self._data, path)
 
 
 class Overlay:

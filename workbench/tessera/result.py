@@ -113,21 +113,21 @@ class Mesh:
     def write(self, path):
         """Writes by extension: .vtu, .vtk, .msh, .inp, .poly, .svg or .png, with z = 0 in the frame
         of the plane. Raises tessera.UnwritableError."""
-        native.write(self._data, _name_of(path))
+        native.write(self._data, name_of(path))
 
     def write_triangles(self, path):
         """As write(), without the edges and the groups."""
-        native.write_triangles(self._data, _name_of(path))
+        native.write_triangles(self._data, name_of(path))
 
     def plot(self, path):
         """Draws the mesh as .svg or .png, by extension."""
-        path = _name_of(path)
+        path = name_of(path)
         if not path.lower().endswith((".svg", ".png")):
             raise UnwritableError(f"{path}: a picture is called .svg or .png.")
         native.write(self._data, path)
 
 
-def _name_of(path):
+def name_of(path):
     try:
         return os.fsdecode(path)
     except TypeError as error:

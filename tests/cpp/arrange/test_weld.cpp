@@ -211,7 +211,7 @@ TEST(Arrange, TellsWhatALargeToleranceDoes)
                                   "22. 1 curve no longer than that vanished; choose a smaller "
                                   "tolerance.");
     EXPECT_EQ(report.messages[1], "1 end point was joined to the inside of a curve within the weld "
-                                  "tolerance 22, which bends curves by up to 20.");
+                                  "tolerance 22, which moves ends or bends curves by up to 20.");
 }
 
 TEST(Arrange, KeepsEmbeddedPointsAndDropsThoseOfIgnoredCurves)
@@ -242,6 +242,65 @@ TEST(Arrange, CollapsesWhatIsShorterThanTheTolerance)
     EXPECT_EQ(result.curves[0].geometry, nullptr);
     EXPECT_NE(result.curves[1].geometry, nullptr);
     EXPECT_EQ(result.curves[1].start, result.curves[1].end);
+}
+
+TEST(Arrange, TheFreeEndOfALineMovesOntoTheCurveAndTheCurveStays)
+{
+    for (const bool embedded : {false, true}) {
+        CurveNetwork network;
+        network.operands.resize(1);
+        const Vec2 corners[] = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+        for (const Vec2 corner : corners) {
+            network.addPoint(corner);
+        }
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            network.curves.push_back({nullptr, PointId(i), PointId((i + 1) % 4), OperandId(0U)});
+        }
+        const PointId inside = network.addPoint({2, 1});
+        const PointId end = network.addPoint({2, 0.05});
+        network.curves.push_back({nullptr, inside, end, OperandId(0U), Role::Constraint});
+        if (embedded) {
+            network.embedded.push_back({end, OperandId(0U), "node"});
+        }
+        ArrangeReport report;
+        Execution execution;
+        const CurveNetwork result = arrange(network, {.weld = 0.1}, report, execution);
+        EXPECT_EQ(result.curves.size(), 6U);
+        // An embedded point is a node where it was drawn: there the outline gives way.
+        EXPECT_EQ(result.points[report.pointOf[end.index()].index()],
+                  (Vec2 {2, embedded ? 0.05 : 0.0}));
+        EXPECT_EQ(report.weldedOnto, 1U);
+        EXPECT_NEAR(report.greatestBend, 0.05, 1e-15);
+    }
+}
+
+TEST(Arrange, RoundingIsWeldedInSilence)
+{
+    // An arc and a line whose common ends differ in the last places, far from the origin.
+    for (const double scale : {1e-3, 1.0, 1e9}) {
+        CurveNetwork network;
+        network.operands.resize(1);
+        const double r = scale / 3.0;
+        const Vec2 center {0.7 * scale, 0.1 * scale};
+        const auto arc = makeCircleArc(center, r, 0.3, 2.9);
+        const auto near = [scale](Vec2 p, int ulps) {
+            return Vec2 {p.x + ulps * 2e-16 * scale, p.y - ulps * 2e-16 * scale};
+        };
+        const PointId a = network.addPoint(arc->point(0.3));
+        const PointId b = network.addPoint(arc->point(2.9));
+        network.curves.push_back({arc, a, b, OperandId(0U)});
+        const PointId c = network.addPoint(near(network.points[1], 3));
+        const PointId d = network.addPoint(near(network.points[0], -5));
+        network.curves.push_back({nullptr, c, d, OperandId(0U)});
+        for (const double weld : {0.0, 1e-7 * scale}) {
+            ArrangeReport report;
+            Execution execution;
+            const CurveNetwork result = arrange(network, {.weld = weld}, report, execution);
+            EXPECT_EQ(result.points.size(), 2U);
+            EXPECT_EQ(report.welded, 0U);
+            EXPECT_TRUE(report.messages.empty()) << report.messages.front();
+        }
+    }
 }
 
 TEST(Arrange, SeamsOfClosedCurvesAreNoEnds)

@@ -171,6 +171,15 @@ TEST_F(OverlayCommand, WhatIsWrongIsSaidInOneLine)
     program.refuse({"overlay", "missing.wkt", "-o", "out.wkt"}, "missing.wkt", 1);
     program.refuse({"overlay", "two.wkt", "-o", "out.wkt", "--weld", "-1"}, "--weld", 1);
     program.refuse({"overlay", "two.wkt", "-o", "out.wkt", "--fill", "hull"}, "hull", 1);
+    const std::string wrong =
+        program.run({"overlay", "two.wkt", "-o", "out.wkt", "--fill", "some"}).err;
+    EXPECT_NE(wrong.find("is not one of all, even-odd, negative, nonzero, positive"),
+              std::string::npos)
+        << wrong;
+    const Outcome late =
+        program.run({"overlay", "two.wkt", "-o", "out.wkt", "--time-limit", "1e-9"});
+    EXPECT_EQ(late.status, 3);
+    EXPECT_EQ(late.err.find("size"), std::string::npos) << late.err;
 }
 
 } // namespace

@@ -156,6 +156,10 @@ TEST_F(SizeOptions, RefusedInOneLine)
     refuse({"--size-in", "1"}, "write LIST:H");
     refuse({"--size-in", "0:1"}, "write LIST:H");
     refuse({"--size-in", "3:1"}, "there are only 2");
+    program.give("line.wkt", std::string(kPlates) + "LINESTRING(1 1,3 2)\n");
+    program.refuse({"mesh", "line.wkt", "-o", "out.vtu", "--size-in", "3:0.1"},
+                   "operand 3, which encloses nothing", 1);
+    refuse({"--size-expr", "y=2"}, "did you mean ==?");
     refuse({"--size-in", "3.5,3,1"}, "is not inside");
     refuse({"--size-in", "1:0"}, "sizes must be above 0");
     refuse({"--size-expr", "1+"}, "cannot be read");

@@ -209,3 +209,16 @@ def test_bad_sources_keep_the_shape_and_are_told(document, pair):
     assert obj.Shape.Area == pytest.approx(AREAS["Union"])
     with pytest.raises(tessera.Error):
         tessera.overlay([])
+
+
+def test_what_cannot_be_made_leaves_nothing_behind(document, pair):
+    before = [obj.Name for obj in document.Objects]
+    for sources, operation, values in (
+        ([], "Union", {}),
+        (pair, "Sum", {}),
+        (pair, "Union", {"Priority": "Middle"}),
+        (pair, "Union", {"NoSuchProperty": 1}),
+    ):
+        with pytest.raises((tessera.Error, ValueError, AttributeError)):
+            make_boolean(sources, operation, **values)
+        assert [obj.Name for obj in document.Objects] == before

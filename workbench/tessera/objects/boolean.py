@@ -147,6 +147,12 @@ def make_boolean(sources, operation="Union", **values):
     """For macros: a Boolean of document objects, or links (object, ["Face1"]), as a document object
     beside the first; values: further properties. Call the document's recompute()."""
     links = [source if isinstance(source, tuple) else (source, [""]) for source in sources]
+    if not links:
+        raise tessera.InvalidInputError("There is no source; add sketches or planar shapes.")
+    if operation not in OPERATIONS:
+        raise tessera.InvalidOptionError(
+            f"operation must be one of {', '.join(map(repr, OPERATIONS))}, not {operation!r}."
+        )
     values = {"Sources": links, "Operation": operation, **values}
     label = translate("Tessera", "{} of {}").format(
         operation, ", ".join(owner.Label for owner, _ in links)

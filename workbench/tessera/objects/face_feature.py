@@ -155,8 +155,12 @@ def make_feature(document, name, label, proxy, values):
     """A new document object with the properties set; recompute it."""
     obj = document.addObject("Part::FeaturePython", name)
     obj.Label = label
-    proxy(obj)
-    apply_values(obj, values)
+    try:
+        proxy(obj)
+        apply_values(obj, values)
+    except Exception:
+        document.removeObject(obj.Name)  # nothing half-made stays behind
+        raise
     if FreeCAD.GuiUp:
         obj.Proxy.view_provider()(obj.ViewObject)
     return obj

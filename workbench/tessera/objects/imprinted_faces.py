@@ -187,6 +187,8 @@ def make_imprinted_faces(sources, targets, **values):
     def links(items):
         return [item if isinstance(item, tuple) else (item, [""]) for item in items]
 
+    if not sources or not targets:
+        raise tessera.InvalidInputError("An imprint needs at least one source and one target.")
     values = {"Sources": links(sources), "Targets": links(targets), **values}
     label = translate("Tessera", "Imprinted faces")
     document = values["Sources"][0][0].Document

@@ -7,6 +7,7 @@ if that has the same cover. If it has not, the source has moved away: then it is
 that cover, if there was only one before, too. Otherwise it is lost; another is never taken for it.
 """
 
+from collections import Counter
 from typing import Any, List, NamedTuple
 
 import FreeCAD
@@ -88,9 +89,9 @@ def remember(cells, numbers, point_in):
     """[Kept] of some cells [Cell]; point_in(number) gives a point in one. None if all are kept."""
     if len(numbers) == len(cells):
         return []
-    covers = [cell.cover for cell in cells]
+    counts = Counter(cell.cover for cell in cells)
     return [
-        Kept(point_in(number), covers[number], covers.count(covers[number]))
+        Kept(point_in(number), cells[number].cover, counts[cells[number].cover])
         for number in sorted(numbers)
     ]
 
