@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -40,7 +41,12 @@ constexpr double kWhole = 1.3;
 
 /// Samplings after the first one, with smaller sizes where curves are close to each other.
 constexpr int kMostRounds = 4;
-constexpr std::size_t kMostGrowth = 80;
+
+/// Halves that following gaps may take: so many, or so many for each piece; and no more than this
+/// part of what the memory holds, as each brings triangles with it.
+constexpr double kHalvesForGaps = 100000.0;
+constexpr double kHalvesForGapsByPiece = 128.0;
+constexpr double kHalvesForGapsOfMost = 0.05;
 
 /// A curve and the direction in which it is sampled: views on a base curve are taken off, so that
 /// all curves with the same geometry are cut at the same points.
@@ -81,30 +87,25 @@ public:
 
     Pslg run()
     {
-        std::vector<SizeSource> tooClose;
+        sampleAll();
         for (int round = 0;; ++round) {
-            sampleAll(round == 0 ? 0.0 : 0.5);
-            const std::size_t sampled = pieces_.size();
+            if (!std::isinf(options_.growth)) {
+                sampled_.points = pslg_.points;
+                sampled_.pieces = pieces_;
+            }
             // Pieces by size are up to 1.4 times as long as the halves that they replace.
-            const double share = (round == 0 ? 1.0 : 2.0) * options_.gapShare;
+            const SeparateOptions separateOptions {
+                .gapShare = (round == 0 ? 1.0 : 2.0) * options_.gapShare,
+                .mostHalvesForGaps = mostHalvesForGaps()};
             const Separation separation =
-                separatePieces(pslg_.points, pieces_, {.gapShare = share}, execution_);
+                separatePieces(pslg_.points, pieces_, separateOptions, execution_);
             // Curves that run on each other unshared come apart at no size.
-            const bool hopeless = !separation.done || pieces_.size() > kMostGrowth * sampled + 1000;
-            const bool halved = std::isinf(options_.growth);
-            if (separation.halves.empty() || hopeless || halved || round == kMostRounds) {
-                tellTooClose(separation);
+            if (separation.halves.empty() || !separation.done || std::isinf(options_.growth)
+                || round == kMostRounds) {
+                tellTooClose(separation, separateOptions.mostHalvesForGaps);
                 break;
             }
-            for (const CurvePiece& half : separation.halves) {
-                const Vec2 a = pslg_.points[half.a.index()];
-                const Vec2 b = pslg_.points[half.b.index()];
-                tooClose.push_back({a, b, distance(a, b)});
-            }
-            makeFiner(tooClose);
-            pslg_.points = network_.points;
-            pieces_.clear();
-            dropped_.clear();
+            sampleAgain(separation.halves);
         }
         exportSegments();
         tellDropped();
@@ -112,46 +113,128 @@ public:
     }
 
 private:
-    /// The size field with these sizes besides.
-    void makeFiner(const std::vector<SizeSource>& sources)
+    /// The pieces of one round before they are separated.
+    struct Sampling
     {
-        const double uniform = given_.uniformSize();
-        const GradedSize::Options options {
-            .maxSize = uniform > 0.0 ? uniform : std::numeric_limits<double>::max(),
-            .growth = std::max(options_.growth, given_.gradientBound())};
-        const auto graded = std::make_shared<GradedSize>(networkBounds(network_), sources, options,
-                                                         execution_);
-        if (uniform > 0.0) {
-            finer_ = graded;
+        std::vector<Vec2> points;
+        std::vector<CurvePiece> pieces;
+        std::vector<std::size_t> firstPiece; ///< by curve, and the end
+
+        std::span<const CurvePiece> piecesOf(std::size_t curve) const
+        {
+            return std::span(pieces).subspan(firstPiece[curve],
+                                             firstPiece[curve + 1] - firstPiece[curve]);
         }
-        else {
-            const std::shared_ptr<const SizeField> given(&given_, [](const SizeField*) {});
-            finer_ = std::make_shared<MinSize>(
-                std::vector<std::shared_ptr<const SizeField>> {given, graded});
-        }
+    };
+
+    std::size_t mostHalvesForGaps() const
+    {
+        const double wanted = std::max(
+            kHalvesForGaps, kHalvesForGapsByPiece * static_cast<double>(pieces_.size()));
+        return static_cast<std::size_t>(
+            std::min(wanted, kHalvesForGapsOfMost * options_.mostPieces));
     }
 
     const SizeField& field() const { return finer_ ? *finer_ : given_; }
 
-    void sampleAll(double done)
+    void sampleAll()
     {
         for (std::size_t c = 0; c < network_.curves.size(); ++c) {
-            if (c % 256 == 0) {
-                execution_.report(std::max(done, static_cast<double>(c)
-                                                     / static_cast<double>(network_.curves.size())));
-            }
-            const NetworkCurve& curve = network_.curves[c];
-            if (curve.role == Role::Ignored) {
-                continue;
-            }
-            if (curve.geometry) {
-                sampleCurved(CurveId(c), curve);
+            reportCurve(c, 0.0);
+            sampled_.firstPiece.push_back(pieces_.size());
+            sampleCurve(CurveId(c));
+        }
+        sampled_.firstPiece.push_back(pieces_.size());
+    }
+
+    /// Samples with the lengths of the halves as sizes besides, growing from there. Curves on which
+    /// the sizes stay as they were keep their pieces.
+    void sampleAgain(const std::vector<CurvePiece>& halves)
+    {
+        std::vector<SizeSource> sources;
+        sources.reserve(halves.size());
+        for (const CurvePiece& half : halves) {
+            const Vec2 a = pslg_.points[half.a.index()];
+            const Vec2 b = pslg_.points[half.b.index()];
+            sources.push_back({a, b, distance(a, b)});
+        }
+        const double uniform = given_.uniformSize();
+        const GradedSize::Options options {
+            .maxSize = uniform > 0.0 ? uniform : std::numeric_limits<double>::max(),
+            .growth = std::max(options_.growth, given_.gradientBound())};
+        const auto lower = std::make_shared<GradedSize>(networkBounds(network_), sources, options,
+                                                        execution_);
+        const std::shared_ptr<const SizeField> before =
+            finer_ ? finer_ : std::shared_ptr<const SizeField>(&given_, [](const SizeField*) {});
+        finer_ = std::make_shared<MinSize>(
+            std::vector<std::shared_ptr<const SizeField>> {before, lower});
+        const Sampling previous = std::move(sampled_);
+        sampled_ = {};
+        pslg_.points = network_.points;
+        pieces_.clear();
+        for (std::size_t c = 0; c < network_.curves.size(); ++c) {
+            reportCurve(c, 0.5);
+            sampled_.firstPiece.push_back(pieces_.size());
+            const std::span<const CurvePiece> pieces = previous.piecesOf(c);
+            if (isLowered(pieces, previous.points, *before, *lower)) {
+                sampleCurve(CurveId(c));
             }
             else {
-                sampleStraight(CurveId(c), curve);
+                keepPieces(pieces, previous.points);
             }
-            requireFewPieces(static_cast<double>(pieces_.size()), options_.mostPieces);
         }
+        sampled_.firstPiece.push_back(pieces_.size());
+    }
+
+    /// Whether the new field can be below the one before on the curve of these pieces.
+    static bool isLowered(std::span<const CurvePiece> pieces, const std::vector<Vec2>& points,
+                          const SizeField& before, const SizeField& lower)
+    {
+        const double growth = before.gradientBound() + lower.gradientBound();
+        return std::any_of(pieces.begin(), pieces.end(), [&](const CurvePiece& piece) {
+            const Vec2 a = points[piece.a.index()];
+            const Vec2 b = points[piece.b.index()];
+            const Vec2 middle = midpoint(a, b);
+            // All of the piece's curve is nearer to the middle than the chord is long.
+            return lower.size(middle) < before.size(middle) + growth * distance(a, b);
+        });
+    }
+
+    void keepPieces(std::span<const CurvePiece> pieces, const std::vector<Vec2>& points)
+    {
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            pieces_.push_back(pieces[i]);
+            if (i > 0) {
+                pieces_.back().a = PointId(pslg_.points.size() - 1);
+            }
+            if (i + 1 < pieces.size()) {
+                pslg_.points.push_back(points[pieces[i].b.index()]);
+                pieces_.back().b = PointId(pslg_.points.size() - 1);
+            }
+        }
+    }
+
+    void reportCurve(std::size_t c, double done)
+    {
+        if (c % 256 == 0) {
+            execution_.report(std::max(done, static_cast<double>(c)
+                                                 / static_cast<double>(network_.curves.size())));
+        }
+    }
+
+    void sampleCurve(CurveId id)
+    {
+        const NetworkCurve& curve = network_.curves[id.index()];
+        if (curve.role == Role::Ignored) {
+            return;
+        }
+        if (curve.geometry) {
+            sampleCurved(id, curve);
+        }
+        else {
+            sampleStraight(id, curve);
+        }
+        requireFewPieces(static_cast<double>(pieces_.size()), options_.mostPieces);
     }
 
     using Ends = std::pair<std::uint32_t, std::uint32_t>;
@@ -359,7 +442,7 @@ private:
         }
     }
 
-    void tellTooClose(const Separation& separation)
+    void tellTooClose(const Separation& separation, std::size_t mostHalvesForGaps)
     {
         pslg_.coarseGaps = separation.coarseGaps;
         if (!separation.done) {
@@ -371,8 +454,10 @@ private:
         if (!pslg_.coarseGaps.empty()) {
             pslg_.messages.push_back(
                 "The gap between curves near " + placeText(pslg_.coarseGaps.front().place)
-                + " is too narrow for the pieces beside it, so areas and widths there are not the"
-                  " true ones; choose a smaller size or chord error there.");
+                + " is too narrow for the pieces beside it, and following it would take more than "
+                + std::to_string(mostHalvesForGaps)
+                + " pieces, so areas and widths there are not the true ones; choose a smaller size"
+                  " or chord error there.");
         }
     }
 
@@ -392,6 +477,7 @@ private:
 
     const CurveNetwork& network_;
     const SizeField& given_;
+    Sampling sampled_;
     std::shared_ptr<const SizeField> finer_; ///< after the first round
     const SampleOptions& options_;
     Execution& execution_;

@@ -24,7 +24,8 @@ struct SampleOptions
     double chordError = 0.0;
     /// Greatest sagitta of a piece as a part of the width of the gap to another curve beside it, so
     /// that areas between curves are nearly the true ones; 0: no bound. Gaps that would take more
-    /// than 64 times the pieces are left, see Pslg::coarseGaps.
+    /// than 100,000 pieces (128 for each piece there is, if that is more; 1/20 of mostPieces, if
+    /// that is less) are left, see Pslg::coarseGaps.
     double gapShare = 0.0;
     /// How fast pieces may become longer away from places where the size is not fine enough to keep
     /// curves apart; above 0. Where the size field itself grows faster, as fast as that. Infinite:

@@ -18,14 +18,15 @@ namespace
 {
 
 constexpr int kMostRounds = 16;
-/// Halving stops when it has made this many pieces of each piece there was, and some: curves that
-/// run on each other without sharing their geometry would never come apart.
+/// Halving for the topology stops when it has made so many pieces of each piece there was, and some:
+/// curves that run on each other without sharing their geometry would never come apart. Few pieces
+/// may become more each.
 constexpr std::size_t kMostParts = 16;
-constexpr std::size_t kMostPartsBeside = 10000;
+constexpr std::size_t kMostPartsOfFew = 64;
+constexpr std::size_t kFew = 2000;
+constexpr std::size_t kMostPartsBeside = 20000;
 /// Part of the greatest coordinate below which a point counts as on a curve.
 constexpr double kOnCurve = 1e-12;
-/// For the width of a gap alone, a piece is cut into no more parts than these.
-constexpr std::uint32_t kMostPartsForGap = 64;
 /// A gap that closes at a common end of two curves is followed up to this part of the shorter one.
 constexpr double kTip = 0.02;
 
@@ -121,13 +122,16 @@ private:
         std::iota(whole_.begin(), whole_.end(), 0U);
         parts_.assign(pieces_.size(), 1);
         coarseGaps_.clear();
+        halvesForGaps_ = 0;
         sagitta_.clear();
         sagitta_.reserve(pieces_.size());
         for (const CurvePiece& piece : pieces_) {
             sagitta_.push_back(sagittaOf(piece));
         }
-        const std::size_t most = kMostParts * pieces_.size() + kMostPartsBeside;
-        for (int round = 0; round < kMostRounds && pieces_.size() <= most; ++round) {
+        const std::size_t most = kMostParts * pieces_.size()
+            + (kMostPartsOfFew - kMostParts) * std::min(pieces_.size(), kFew) + kMostPartsBeside;
+        for (int round = 0; round < kMostRounds && pieces_.size() <= most + halvesForGaps_;
+             ++round) {
             if (!findConflicts()) {
                 return true;
             }
@@ -212,7 +216,8 @@ private:
     bool halveForGap(std::uint32_t i, double share)
     {
         const std::uint32_t whole = whole_[i];
-        if (parts_[whole] < kMostPartsForGap) {
+        if (halvesForGaps_ < options_.mostHalvesForGaps) {
+            ++halvesForGaps_;
             return mark(i, i);
         }
         followsGaps_[whole] = 0;
@@ -400,6 +405,7 @@ private:
     std::vector<Strand> strands_;  ///< by curve
     std::vector<std::uint8_t> followsGaps_; ///< by whole piece
     std::vector<std::uint32_t> parts_;      ///< by whole piece
+    std::size_t halvesForGaps_ = 0;
     std::vector<CoarseGap> coarseGaps_;
     Vec2 lastConflict_;
     std::vector<std::uint32_t> whole_; ///< by piece: the one that it is a part of

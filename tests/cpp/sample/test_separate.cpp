@@ -191,6 +191,21 @@ TEST(FollowGaps, AreasOfThinRings)
     }
 }
 
+TEST(FollowGaps, CirclesMuchLargerThanTheSizeToo)
+{
+    for (const double gap : {1e-4, 2e-6}) {
+        CurveNetwork network;
+        addCircle(network, {0, 0}, 10.0, 0.3);
+        addCircle(network, {0, 0}, 10.0 - gap, 2.0);
+        Execution execution;
+        const Pslg pslg = sample(network, UniformSize(2.0), {.gapShare = 0.1}, execution);
+        const double area = kTurn / 2 * gap * (20.0 - gap);
+        EXPECT_NEAR(areaBetween(pslg), area, 0.01 * area) << gap;
+        EXPECT_TRUE(pslg.messages.empty());
+        EXPECT_LT(pslg.segments.size(), 120.0 / std::sqrt(gap));
+    }
+}
+
 TEST(FollowGaps, TooNarrowOnesAreTold)
 {
     const Pslg pslg = sampledRing(1e-8, 0.0, 0.3);
@@ -198,6 +213,7 @@ TEST(FollowGaps, TooNarrowOnesAreTold)
     EXPECT_FALSE(pslg.coarseGaps.empty());
     ASSERT_EQ(pslg.messages.size(), 1U);
     EXPECT_NE(pslg.messages[0].find("too narrow"), std::string::npos);
+    EXPECT_NE(pslg.messages[0].find("more than 100000 pieces"), std::string::npos);
     const Pslg crossing = sampledRing(1e-9, 0.0);
     ASSERT_EQ(crossing.messages.size(), 1U);
     EXPECT_NE(crossing.messages[0].find("their pieces cross"), std::string::npos);
