@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """tessera.mesh() of sketches and shapes of FreeCAD, in plain Python."""
 
+import random
+
 import numpy as np
 import pytest
 from measures import assert_conforming, length_of, triangle_areas
@@ -250,6 +252,31 @@ def test_a_circle_and_a_spline_that_approximates_it_are_one_curve():
     assert len(both.triangles) == len(alone.triangles)
     assert any("runs along another one" in message for message in both.report["messages"])
     assert_conforming(both)
+
+
+def drawn_again(circle, chance):
+    """The circle, or an arc of it, as another kind of curve or the same."""
+    start = chance.uniform(0.0, 6.0)
+    arc = Part.Arc(circle, start, start + chance.uniform(0.3, 6.0))
+    return chance.choice(
+        (circle.toBSpline(), circle.toNurbs(), arc.toBSpline(), arc.toNurbs(), arc)
+    ).toShape()
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_what_is_drawn_again_as_another_kind_of_curve_changes_nothing(seed):
+    chance = random.Random(seed)
+    circles = []
+    for _ in range(5):
+        center = Vector(chance.uniform(0, 10), chance.uniform(0, 10), 0)
+        circles.append(Part.Circle(center, Vector(0, 0, 1), chance.uniform(1, 5)))
+    once = [circle.toShape() for circle in circles]
+    again = once + [drawn_again(circle, chance) for circle in circles]
+    expected = tessera.mesh(once, fill="all", refine=False).report
+    report = tessera.mesh(again, fill="all", refine=False).report
+    assert report["regions"] == expected["regions"]
+    # Arcs that end on a circle give it further points: chords nearer to it.
+    assert report["area"] == pytest.approx(expected["area"], rel=2e-3)
 
 
 @pytest.mark.parametrize("places", [(0, 10, 0), (0, 10, -6, 4), (0, 1, 5, 8)], ids=str)
