@@ -36,6 +36,17 @@ std::vector<Vec2> pointsFrom(const Coordinates& array, const std::string& what)
     return points;
 }
 
+/// Of several polygons, which one it is; the network knows a point by its number in all of them.
+void requireFinite(const std::vector<Vec2>& points, const std::string& name)
+{
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!isFinite(points[i])) {
+            refuse(name + ": point " + std::to_string(i)
+                   + ", counted from 0, has a coordinate that is not finite.");
+        }
+    }
+}
+
 void embedUnusedPoints(CurveNetwork& network, OperandId operand)
 {
     std::vector<std::uint8_t> used(network.points.size(), 0);
@@ -285,6 +296,7 @@ void NetworkInput::addPolygon(const std::vector<Coordinates>& rings, const std::
     network.operands.push_back({name, true});
     for (const Coordinates& ring : rings) {
         std::vector<Vec2> points = pointsFrom(ring, "a polygon");
+        requireFinite(points, name);
         if (points.size() > 1 && points.front() == points.back()) {
             points.pop_back();
         }

@@ -83,9 +83,11 @@ def test_faces_need_freecad(monkeypatch):
         operands().union().to_shape()
 
 
-def test_the_polygon_without_area_is_named():
+def test_the_polygon_that_is_none_is_named():
     with pytest.raises(tessera.InvalidInputError, match="Polygon2 has 2 points"):
         tessera.overlay([[SQUARE], [SQUARE[:2]]])
+    with pytest.raises(tessera.InvalidInputError, match="Polygon2: point 1, counted from 0"):
+        tessera.overlay([[SQUARE], [[(0, 0), (1, float("nan")), (1, 1)]]])
 
 
 def test_rounding_to_the_grid_is_told():
