@@ -242,8 +242,10 @@ private:
     /// been found in several parts, all of which lead to one place in this way.
     Contact placeOf(const Stretch& stretch) const
     {
-        const Contact middle {stretch.curveA, stretch.curveB, 0.5 * (stretch.a0 + stretch.a1),
-                              0.5 * (stretch.b0 + stretch.b1)};
+        // The parameters of curves of several pieces may run at quite different speeds.
+        const double a = 0.5 * (stretch.a0 + stretch.a1);
+        const Contact middle {stretch.curveA, stretch.curveB, a,
+                              facing(stretch, curves_[stretch.curveA].point(a))};
         for (const Contact& place : {parallelPlace(middle), crossingPlace(middle)}) {
             if (leadsTo(middle, place)) {
                 return place;
