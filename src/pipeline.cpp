@@ -361,7 +361,8 @@ private:
         if (regions_.keptRegions == 0 && !allowsEmpty()) {
             requireNotSwallowed();
             throw explainNoInside(recovered_, network_, pslg_, options_.fill,
-                                  ArrangedInput {input_, arranged_.parent, result_.report.weld});
+                                  ArrangedInput {input_, arranged_.parent, result_.report.weld,
+                                                arranged_.weldedAlong});
         }
         tell(regions_.messages);
         tell(describeDroppedCurves(recovered_, network_, pslg_, regions_, arranged_.parent));

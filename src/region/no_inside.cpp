@@ -3,6 +3,7 @@
 
 #include "arrange/cross_curves.h"
 #include "arrange/weld.h"
+#include "base/number_text.h"
 #include "curve/default_roles.h"
 #include "region/curve_names.h"
 #include "region/open_outline.h"
@@ -138,6 +139,15 @@ bool hasInside(const RecoveryResult& recovered, const CurveNetwork& network, con
     return colorRegions(recovered, network, pslg, fill, execution).keptRegions > 0;
 }
 
+Error mergedError(const ArrangedInput& input, const ErrorPlace& place)
+{
+    return {ErrorKind::NoInside,
+            "The outline encloses no area: curves of it lie within the weld tolerance "
+                + numberText(input.weld)
+                + " of each other and became one; choose a smaller tolerance.",
+            {place}};
+}
+
 } // namespace
 
 Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& network,
@@ -157,6 +167,9 @@ Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& netwo
                 " the fill rule 'hull' for points)."};
     }
     if (!hasFiniteTriangle(recovered.triangulation) || pslg.segments.empty()) {
+        if (input.weldedAlong > 0) {
+            return mergedError(input, startOf(network, isMeshed));
+        }
         return {ErrorKind::NoInside,
                 "The outline encloses no area: all its points lie on one line.",
                 {startOf(network, isMeshed)}};
@@ -183,6 +196,9 @@ Error explainNoInside(const RecoveryResult& recovered, const CurveNetwork& netwo
     }
     if (flaw) {
         return openError(*flaw, input);
+    }
+    if (input.weldedAlong > 0) {
+        return mergedError(input, startOf(network, bounds));
     }
     return {ErrorKind::NoInside,
             "The outline encloses no area: its parts are drawn twice or run back on themselves.",

@@ -15,6 +15,7 @@ struct ArrangedInput
     const CurveNetwork& network;     ///< before arrange()
     std::span<const CurveId> parent; ///< ArrangeReport::parent
     double weld = 0.0;
+    std::size_t weldedAlong = 0; ///< ArrangeReport::weldedAlong
 };
 
 /// The Error(NoInside) for a result without any inside, saying why and what to do: no curves, only

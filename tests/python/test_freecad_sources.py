@@ -279,6 +279,14 @@ def test_what_is_drawn_again_as_another_kind_of_curve_changes_nothing(seed):
     assert report["area"] == pytest.approx(expected["area"], rel=2e-3)
 
 
+def test_an_outline_thinner_than_the_tolerance_is_refused_and_says_why(document):
+    arc = Part.Arc(Vector(0, 0, 0), Vector(5, 0.15, 0), Vector(10, 0, 0))
+    source = sketch(document, [arc, Part.LineSegment(Vector(10, 0), Vector(0, 0))])
+    assert tessera.mesh(source).report["area"] == pytest.approx(1.0, rel=0.01)
+    with pytest.raises(tessera.NoInsideError, match="weld tolerance 0.2 .* smaller tolerance"):
+        tessera.mesh(source, weld=0.2)
+
+
 @pytest.mark.parametrize("places", [(0, 10, 0), (0, 10, -6, 4), (0, 1, 5, 8)], ids=str)
 def test_a_spline_that_runs_forth_and_back_on_a_line(places):
     way = Vector(0.8, 0.6, 0)
