@@ -191,10 +191,10 @@ TEST(FinalPieces, FitTheSizesAndEachOther)
                 const Fit fit = meshedFit(shape.network, source.sizes, growth);
                 // Neighbors of a piece that is cut for the arms at a corner below 60 degrees.
                 const bool isAcute = shape.network.curves.size() == 2;
-                EXPECT_LE(fit.unfit, isAcute ? 5U : 0U);
+                EXPECT_LE(fit.unfit, isAcute ? 8U : 0U);
                 EXPECT_LE(fit.most, 1.4);
                 EXPECT_GE(fit.shortest, 0.3);
-                EXPECT_LE(fit.ratio, isAcute ? 2.1 : 1.0 + 2.0 * growth);
+                EXPECT_LE(fit.ratio, isAcute ? 2.5 : 1.0 + 2.0 * growth);
                 all.add(fit);
             }
             all.print(shape.name.c_str(), growth);
