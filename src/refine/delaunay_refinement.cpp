@@ -41,6 +41,7 @@ namespace
 
 constexpr double kSmallestDistance = 1.0 / 64.0; ///< of the spacing, between a point and a vertex
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
+constexpr double kNeedleWedge = 15.0 * std::numbers::pi / 180.0;
 constexpr std::size_t kCheckpointEvery = 256;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -245,14 +246,14 @@ private:
             && s.squared[2] > squaredLimit && s.circumradius() > limit;
     }
 
-    /// Two constrained edges at v make less than 60 degrees with kept triangles in between.
-    bool isAcuteApex(std::uint32_t v) const
+    /// Two constrained edges at v make less than a limit (radians) with kept triangles in between.
+    bool isAcuteApex(std::uint32_t v, double limit = kAcuteWedge) const
     {
         bool acute = false;
         if (editor_.constMesh().origin[v] != VertexOrigin::SegmentSplit) {
             forEachWedge(
                 t_, v, [this](std::uint32_t triangle) { return editor_.isKept(triangle); },
-                [&](HalfEdge, HalfEdge, double angle) { acute = acute || angle < kAcuteWedge; });
+                [&](HalfEdge, HalfEdge, double angle) { acute = acute || angle < limit; });
         }
         return acute;
     }
@@ -292,8 +293,7 @@ private:
         for (std::uint32_t side = 0; side < 3; ++side) {
             const HalfEdge edge = Topology::halfEdge(triangle, side);
             if (t_.isConstrained(edge) && !editor_.isFree(t_.apex(edge))
-                && gapAbove(t_, edge).width
-                    < hopelessGap_ * size_.size(t_.points[t_.apex(edge)])) {
+                && isHopeless(editor_, edge, size_.size(t_.points[t_.apex(edge)]), hopelessGap_)) {
                 return true;
             }
         }
@@ -416,6 +416,9 @@ private:
         const std::uint32_t a = t_.origin(edge);
         const std::uint32_t b = t_.destination(edge);
         const double whole = distance(t_.points[a], t_.points[b]);
+        if (isAcuteApex(a, kNeedleWedge) || isAcuteApex(b, kNeedleWedge)) {
+            return false;
+        }
         double fraction = 0.5;
         if (isAcuteApex(a) != isAcuteApex(b)) {
             fraction = nearestPowerOfTwo(0.5 * whole) / whole; // 0.35 .. 0.71
@@ -425,7 +428,10 @@ private:
         }
         const double piece = std::min(fraction, 1.0 - fraction) * whole;
         const Vec2 middle = midpoint(t_.points[a], t_.points[b]);
-        if (piece < kSmallestPiece * size_.size(middle)) {
+        const std::uint32_t record = editor_.findRecord(a, b);
+        if (record == MeshEditor::kNone
+            || piece < leastPiece(editor_.constMesh(), editor_.constMesh().edges[record].useSet,
+                                  size_.size(middle))) {
             return false;
         }
         const std::uint32_t v = editor_.splitEdge(edge, fraction);

@@ -68,6 +68,24 @@ std::uint32_t MeshEditor::findRecord(std::uint32_t a, std::uint32_t b) const
     return found == recordOf_.end() ? kNone : found->second;
 }
 
+MeshEditor::RootSide MeshEditor::rootSideOf(HalfEdge edge) const
+{
+    const Triangulation& t = triangulation();
+    const std::uint32_t from = t.origin(edge);
+    const std::uint32_t to = t.destination(edge);
+    // A search of all edges is needed between two ends of subsegments only.
+    const std::uint32_t root = rootOfVertex(from) != kNone ? rootOfVertex(from) : rootOfVertex(to);
+    if (root != kNone && rootEnds_[root].a != kNone && rootEnds_[root].b != kNone) {
+        const Vec2 whole = t.points[rootEnds_[root].b] - t.points[rootEnds_[root].a];
+        return {root, dot(whole, t.points[to] - t.points[from]) > 0.0 ? 0 : 1};
+    }
+    const std::uint32_t record = findRecord(from, to);
+    if (record == kNone) {
+        return {kNone, 0};
+    }
+    return {mesh_.edges[record].useSet, mesh_.edges[record].a == from ? 0 : 1};
+}
+
 HalfEdge MeshEditor::anyEdge() const
 {
     std::uint32_t v = 1;

@@ -78,6 +78,14 @@ public:
     std::uint32_t rootStart(std::uint32_t root) const { return rootEnds_[root].a; }
     std::uint32_t rootEnd(std::uint32_t root) const { return rootEnds_[root].b; }
 
+    struct RootSide
+    {
+        std::uint32_t root;
+        int side; ///< 0: the half-edge runs from rootStart to rootEnd, its triangle is on the left
+    };
+    /// What a constrained half-edge is part of; kNone if it is not recorded.
+    RootSide rootSideOf(HalfEdge edge) const;
+
 private:
     struct CurvePoint
     {

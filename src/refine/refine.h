@@ -33,6 +33,9 @@ struct WorkingMesh
     std::vector<VertexOrigin> origin;             ///< by vertex
     std::vector<std::uint32_t> regionOfTriangle;  ///< by triangle slot; kOutside if not kept
     std::vector<ConstrainedEdge> edges;           ///< all constrained edges
+    /// By 2 useSet, + 1 for the right side, where a place narrower than kSmallestPiece is followed:
+    /// the length below which pieces are not split for its sake. 0 or missing elsewhere.
+    std::vector<double> leastPiece {};
 
     static constexpr std::uint32_t kOutside = 0xffffffffU;
 };
@@ -46,7 +49,8 @@ struct Unreached
     double target;
 };
 
-/// Constrained edges are not split into pieces shorter than this share of the size there.
+/// Constrained edges are not split into pieces shorter than this share of the size there, but for
+/// narrow places that RefineOptions::narrowShare pays for.
 inline constexpr double kSmallestPiece = 1.0 / 64.0;
 
 struct RefineOptions
@@ -59,6 +63,9 @@ struct RefineOptions
     /// most of them without further points.
     bool optimizeFollows = false;
     double maxTriangles = 0.0; ///< more are refused; 0: no limit
+    /// Triangles that may be spent on gaps too narrow for kSmallestPiece, as a share of the others;
+    /// cheapest first, each gap entirely or not at all.
+    double narrowShare = 2.0;
 };
 
 struct RefineReport

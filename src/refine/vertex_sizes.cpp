@@ -23,12 +23,14 @@
 // new vertices may demand more in the next round.
 //
 // Gaps lower a size to kSmallestPiece of the field at most; gaps so narrow that no angle there can
-// be good do not lower it. Complexity: O(n log n) a round for n
+// be good do not lower it, except those that the share of triangles for them (narrowShare) pays
+// for: these are followed as far as they go. Complexity: O(n log n) a round for n
 // boundary vertices, at most kRounds rounds.
 
 #include "refine/vertex_sizes.h"
 
 #include "refine/gaps.h"
+#include "refine/narrow_places.h"
 #include "refine/wedges.h"
 
 #include <algorithm>
@@ -51,6 +53,10 @@ constexpr int kRounds = 12;
 constexpr double kEqualArms = 1.5;
 constexpr double kEqualArmsOfSharp = 1.02;
 constexpr double kSharpWedge = std::numbers::pi / 6.0;
+/// Triangles beside each piece of the constrained edges, as sizes grow on both sides of it.
+constexpr double kPerPiece = 3.0;
+/// A mesh that is large anyway is not doubled for narrow places.
+constexpr double kMostForNarrowPlaces = 5e5;
 } // namespace
 
 VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const RefineOptions& options)
@@ -72,10 +78,10 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
         for (std::size_t v = field_.size(); v < t_.points.size(); ++v) {
             field_.push_back(v == Topology::kInfinite ? 0.0 : fieldAt(t_.points[v]));
         }
-        h_ = field_;
-        measureSpacing();
-        measureGaps();
-        limitGrowth(growthOnEdges_);
+        measure();
+        if (round == 0 && followNarrowPlaces()) {
+            measure();
+        }
         requireFewTriangles(leastPieces(), options_);
         // The last round may not split: every vertex needs a size.
         if (options_.freezeBoundary || round + 1 == kRounds || splitLongEdges(report) == 0) {
@@ -83,6 +89,49 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
         }
     }
     limitGrowth(kGrowth);
+}
+
+void VertexSizes::measure()
+{
+    h_ = field_;
+    measureSpacing();
+    measureGaps();
+    limitGrowth(growthOnEdges_);
+}
+
+/// Chooses the narrow places that the share of triangles for them suffices for.
+bool VertexSizes::followNarrowPlaces()
+{
+    if (options_.freezeBoundary || options_.narrowShare <= 0.0) {
+        return false;
+    }
+    const std::vector<NarrowPlace> places = findNarrowPlaces(editor_, field_, h_, options_.minAngle);
+    if (places.empty()) {
+        return false;
+    }
+    const double others
+        = estimateTriangles(editor_.constMesh(), size_, options_) + kPerPiece * leastPieces();
+    double left = std::min(options_.narrowShare * others, kMostForNarrowPlaces);
+    least_.assign(t_.points.size(), 0.0);
+    for (const NarrowPlace& place : places) {
+        left -= place.cost;
+        if (left < 0.0) {
+            break;
+        }
+        for (const auto& [v, piece] : follow(place, editor_)) {
+            least_[v] = least_[v] > 0.0 ? std::min(least_[v], piece) : piece;
+        }
+    }
+    return !editor_.constMesh().leastPiece.empty();
+}
+
+/// How low gaps may make the size of a vertex.
+double VertexSizes::leastSize(std::uint32_t v) const
+{
+    if (v < least_.size() && least_[v] > 0.0) {
+        return std::min(least_[v], kSmallestPiece * field_[v]);
+    }
+    return leastPiece(editor_.constMesh(), editor_.rootOfVertex(v), field_[v]);
 }
 
 void VertexSizes::lower(std::uint32_t vertex, double spacing)
@@ -193,7 +242,7 @@ bool VertexSizes::isInHopelessGap(std::uint32_t triangle) const
     for (std::uint32_t side = 0; side < 3; ++side) {
         const HalfEdge edge = Topology::halfEdge(triangle, side);
         if (t_.isConstrained(edge)
-            && gapAbove(t_, edge).width < hopelessGap_ * field_[t_.apex(edge)]) {
+            && isHopeless(editor_, edge, field_[t_.apex(edge)], hopelessGap_)) {
             return true;
         }
     }
@@ -203,7 +252,7 @@ bool VertexSizes::isInHopelessGap(std::uint32_t triangle) const
 void VertexSizes::measureGaps()
 {
     const auto lowerToGap = [this](std::uint32_t v, double gap) {
-        lower(v, std::max(gap, kSmallestPiece * field_[v]));
+        lower(v, std::max(gap, leastSize(v)));
     };
     for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
         if (!editor_.isKept(i) || isInHopelessGap(i)) {
@@ -234,21 +283,12 @@ void VertexSizes::measureGaps()
 void VertexSizes::limitGrowth(double growth)
 {
     using Entry = std::pair<double, std::uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    const auto lowerNeighbors = [&](std::uint32_t v) {
-        t_.forEachAround(v, [&](HalfEdge edge) {
-            const std::uint32_t u = t_.destination(edge);
-            if (u == Topology::kInfinite || h_[u] <= h_[v] || !isBesideKept(edge)) {
-                return;
-            }
-            const double limit = h_[v] + growth * distance(t_.points[u], t_.points[v]);
-            if (limit < h_[u]) {
-                h_[u] = limit;
-                queue.emplace(limit, u);
-            }
-        });
+    const auto spacing = [this](std::uint32_t u, std::uint32_t v) {
+        return std::sqrt(squaredLength(t_.points[u] - t_.points[v]));
     };
     // Most vertices lower no other: one pass in the order of memory finds those that do.
+    std::vector<Entry> sources;
+    std::vector<std::uint8_t> isSource(h_.size(), 0);
     for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
         if (!editor_.isKept(i)) {
             continue;
@@ -260,11 +300,27 @@ void VertexSizes::limitGrowth(double growth)
             if (h_[low] > h_[high]) {
                 std::swap(low, high);
             }
-            if (h_[low] + growth * distance(t_.points[low], t_.points[high]) < h_[high]) {
-                queue.emplace(h_[low], low);
+            if (isSource[low] == 0 && h_[low] + growth * spacing(low, high) < h_[high]) {
+                isSource[low] = 1;
+                sources.emplace_back(h_[low], low);
             }
         }
     }
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>(),
+                                                                         std::move(sources));
+    const auto lowerNeighbors = [&](std::uint32_t v) {
+        t_.forEachAround(v, [&](HalfEdge edge) {
+            const std::uint32_t u = t_.destination(edge);
+            if (u == Topology::kInfinite || h_[u] <= h_[v]) {
+                return;
+            }
+            const double limit = h_[v] + growth * spacing(u, v);
+            if (limit < h_[u] && isBesideKept(edge)) {
+                h_[u] = limit;
+                queue.emplace(limit, u);
+            }
+        });
+    };
     while (!queue.empty()) {
         const Entry top = queue.top();
         queue.pop();

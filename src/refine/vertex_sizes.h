@@ -66,6 +66,9 @@ private:
     void measureSpacing();
     bool isInHopelessGap(std::uint32_t triangle) const;
     void measureGaps();
+    void measure();
+    bool followNarrowPlaces();
+    double leastSize(std::uint32_t v) const;
     void limitGrowth(double growth);
     double leastPieces() const;
     std::size_t splitLongEdges(RefineReport& report);
@@ -80,6 +83,7 @@ private:
     double growthOnEdges_; ///< kGrowth .. kGrowthOnEdges
     std::vector<double> field_; ///< by vertex of the boundary: the size field there
     std::vector<double> h_;     ///< by vertex
+    std::vector<double> least_; ///< by vertex of a narrow place that is followed: leastSize()
     std::vector<double> shell_; ///< by vertex: longest arm of a corner below 60 degrees, else <= 0
 };
 

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace tessera
 {
 namespace
@@ -221,6 +224,84 @@ TEST(Refine, HopelessGapIsNotDivided)
     expectValid(r);
     EXPECT_LE(r.figures.triangles, 8000U);
     EXPECT_LE(r.report.unreached.size(), 1300U);
+}
+
+/// Triangles below 25 degrees with all corners farther from the point than the distance.
+std::size_t countBadBeyond(double reach, Vec2 corner, const WorkingMesh& mesh)
+{
+    std::size_t bad = 0;
+    const Triangulation& t = mesh.triangulation;
+    for (std::uint32_t i = 0; i < t.triangles.size(); ++i) {
+        if (!t.isFinite(i) || mesh.regionOfTriangle[i] == WorkingMesh::kOutside) {
+            continue;
+        }
+        const auto& v = t.triangles[i].v;
+        bool isNear = false;
+        double smallest = 180.0;
+        for (int k = 0; k < 3; ++k) {
+            const Vec2 p = t.points[v[k]];
+            const Vec2 a = t.points[v[(k + 1) % 3]] - p;
+            const Vec2 b = t.points[v[(k + 2) % 3]] - p;
+            isNear = isNear || distance(p, corner) <= reach;
+            smallest = std::min(smallest, std::atan2(cross(a, b), dot(a, b)) * 180.0 / M_PI);
+        }
+        bad += !isNear && smallest < 25.0 ? 1U : 0U;
+    }
+    return bad;
+}
+
+Domain squareWithNeedle(double angle, const SizeField* size)
+{
+    Domain d;
+    d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, size);
+    d.addLine({0.3, 0.5}, {0.7, 0.5}, size);
+    d.addLine({0.3, 0.5}, {0.7, 0.5 + 0.4 * angle}, size);
+    return d;
+}
+
+TEST(Refine, NarrowWedgeIsFollowedToItsCornerIfTheShareSuffices)
+{
+    const UniformSize size(0.02);
+    const Domain d = squareWithNeedle(0.005, &size);
+    RefineOptions none;
+    none.narrowShare = 0.0;
+    const Refined left = refineDomain(d, size, none);
+    const Refined followed = refineDomain(d, size);
+    expectValid(left);
+    expectValid(followed);
+    // The first edges at the corner are as long as the size.
+    EXPECT_GT(countBadBeyond(0.025, {0.3, 0.5}, left.mesh), 0U);
+    EXPECT_EQ(countBadBeyond(0.025, {0.3, 0.5}, followed.mesh), 0U);
+    EXPECT_GT(followed.figures.triangles, left.figures.triangles);
+    EXPECT_LE(followed.figures.triangles, 4 * left.figures.triangles);
+}
+
+TEST(Refine, NarrowWedgeIsLeftIfItCostsTooMuch)
+{
+    const UniformSize size(0.02);
+    const Domain d = squareWithNeedle(1e-6, &size);
+    RefineOptions none;
+    none.narrowShare = 0.0;
+    const Refined left = refineDomain(d, size, none);
+    const Refined tried = refineDomain(d, size);
+    expectValid(tried);
+    EXPECT_LE(tried.figures.triangles, 1.2 * static_cast<double>(left.figures.triangles));
+    EXPECT_FALSE(tried.report.unreached.empty());
+}
+
+TEST(Refine, APointVeryNearALineIsFollowed)
+{
+    const UniformSize size(0.05);
+    for (const double gap : {1e-5, 1e-8, 1e-11}) {
+        Domain d;
+        d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+        d.addLine({0.2, 0.5}, {0.8, 0.5}, &size);
+        d.addLine({0.5, 0.5 + gap}, {0.5, 0.9}, &size);
+        const Refined r = refineDomain(d, size);
+        expectValid(r);
+        EXPECT_GE(r.figures.minAngle, 30.0 - 1e-9) << gap;
+        EXPECT_LE(r.figures.triangles, 9000U) << gap;
+    }
 }
 
 TEST(Refine, AShortEdgeIsFeltNearbyOnly)

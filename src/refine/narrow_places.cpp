@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+//
+// Places too narrow for the smallest pieces that refinement makes everywhere.
+//
+// Triangles with an edge on one side of a place and their apex on the other side tell its width w
+// there; those joined by unconstrained edges make one place. With sizes that grow from w on both
+// sides by g per length, 4 / (sqrt(3) h²) triangles per area, a place of the length L needs about
+// 2 integral 4 / (sqrt(3) (w + g y)²) dy = 4.6 / (g w) per length, L / w times 23 for g = 0.2; a
+// single point about 2 pi 4 / (sqrt(3) g²) log(h / w). Where sizes are small anyway (h, without the
+// narrow places), 1 / h is taken off. On drawings and maps the meshes grew by 0.05 to 0.8 of that.
+
+#include "refine/narrow_places.h"
+
+#include "refine/gaps.h"
+#include "refine/vertex_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace tessera
+{
+
+namespace
+{
+
+/// Sizes from several places meet, so that the sum over all places is too much; measured.
+constexpr double kMeasured = 0.25;
+constexpr double kDensity = kMeasured * 2.31; ///< 4 / sqrt(3): triangles of edge h per h²
+/// Each strip is counted from both of its sides.
+constexpr double kPerLength = kDensity / VertexSizes::kGrowth;
+constexpr double kPerPoint
+    = 2.0 * std::numbers::pi * kDensity / (VertexSizes::kGrowth * VertexSizes::kGrowth);
+/// What is left of the width is at least this: apexes met later are not much nearer.
+constexpr double kMargin = 0.25;
+
+/// The distance between the constrained edge of a triangle and its apex; infinite if there is no
+/// such edge, or more than one: then there is a corner and no gap.
+double widthOf(const Triangulation& t, std::uint32_t triangle)
+{
+    HalfEdge base = Topology::kDead;
+    for (std::uint32_t side = 0; side < 3; ++side) {
+        const HalfEdge edge = Topology::halfEdge(triangle, side);
+        if (t.isConstrained(edge)) {
+            if (base != Topology::kDead) {
+                return std::numeric_limits<double>::infinity();
+            }
+            base = edge;
+        }
+    }
+    if (base == Topology::kDead) {
+        return std::numeric_limits<double>::infinity();
+    }
+    // Where two sides of a gap are divided alike, rounding decides whether a foot is on the edge.
+    const Vec2 apex = t.points[t.apex(base)];
+    return std::min({gapAbove(t, base).width, distance(apex, t.points[t.origin(base)]),
+                     distance(apex, t.points[t.destination(base)])});
+}
+
+/// Its inverse is the mean of 1 / w where w goes from a to b linearly.
+double logarithmicMean(double a, double b)
+{
+    return std::fabs(b - a) > 1e-3 * a ? (b - a) / std::log(b / a) : 0.5 * (a + b);
+}
+
+} // namespace
+
+std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<const double> field,
+                                          std::span<const double> sizes, double minAngle)
+{
+    const Triangulation& t = editor.triangulation();
+    const double limit = hopelessGap(minAngle) * kSmallestPiece;
+    // By triangle: its width where that is narrow, 0 once it belongs to a place, else infinite.
+    constexpr double kWide = std::numeric_limits<double>::infinity();
+    std::vector<double> width(t.triangles.size(), kWide);
+    for (std::uint32_t i = 0; i < width.size(); ++i) {
+        if (editor.isKept(i) && t.isFinite(i)) {
+            const auto& v = t.triangles[i].v;
+            const double size = std::min({field[v[0]], field[v[1]], field[v[2]]});
+            const double w = widthOf(t, i);
+            width[i] = w < limit * size ? w : kWide;
+        }
+    }
+    std::vector<NarrowPlace> places;
+    std::vector<std::uint8_t> seen(width.size(), 0);
+    for (std::uint32_t first = 0; first < width.size(); ++first) {
+        if (width[first] == kWide || seen[first] != 0) {
+            continue;
+        }
+        NarrowPlace place {{first}, 0.0};
+        seen[first] = 1;
+        double depth = 0.0; // log of the size over the width
+        const auto sizeAt = [&](std::uint32_t triangle) {
+            const auto& v = t.triangles[triangle].v;
+            return std::max({sizes[v[0]], sizes[v[1]], sizes[v[2]]});
+        };
+        for (std::size_t i = 0; i < place.triangles.size(); ++i) {
+            const std::uint32_t triangle = place.triangles[i];
+            depth = std::max(depth, std::log(sizeAt(triangle) / width[triangle]));
+            for (std::uint32_t side = 0; side < 3; ++side) {
+                const HalfEdge h = Topology::halfEdge(triangle, side);
+                if (t.isConstrained(h)) {
+                    continue;
+                }
+                const std::uint32_t next = Topology::triangleOf(t.twin(h));
+                if (width[next] == kWide) {
+                    continue;
+                }
+                const double w = logarithmicMean(width[triangle], width[next]);
+                const double density = std::max(0.0, 1.0 / w - 1.0 / sizeAt(triangle));
+                // The constrained edge from its end on h to the foot of the other end of h.
+                for (const HalfEdge base : {Topology::next(h), Topology::prev(h)}) {
+                    if (t.isConstrained(base)) {
+                        const Gap gap = gapAbove(t, base);
+                        const double share = base == Topology::next(h) ? gap.foot : 1.0 - gap.foot;
+                        const double l = distance(t.points[t.origin(base)],
+                                                  t.points[t.destination(base)]);
+                        place.cost += kPerLength * l * std::clamp(share, 0.0, 1.0) * density;
+                    }
+                }
+                if (seen[next] == 0) {
+                    seen[next] = 1;
+                    place.triangles.push_back(next);
+                }
+            }
+        }
+        place.cost += kPerPoint * depth;
+        places.push_back(std::move(place));
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    return places;
+}
+
+std::vector<std::pair<std::uint32_t, double>> follow(const NarrowPlace& place, MeshEditor& editor)
+{
+    const Triangulation& t = editor.triangulation();
+    WorkingMesh& mesh = editor.mesh();
+    const auto lower = [&](HalfEdge inside, double piece) {
+        const MeshEditor::RootSide on = editor.rootSideOf(inside);
+        if (on.root == MeshEditor::kNone) {
+            return;
+        }
+        const std::size_t index = 2 * std::size_t {on.root} + static_cast<std::size_t>(on.side);
+        if (index >= mesh.leastPiece.size()) {
+            mesh.leastPiece.resize(index + 1, 0.0);
+        }
+        double& least = mesh.leastPiece[index];
+        least = least > 0.0 ? std::min(least, piece) : piece;
+    };
+    std::vector<std::pair<std::uint32_t, double>> vertices;
+    for (const std::uint32_t triangle : place.triangles) {
+        const double piece = kMargin * widthOf(t, triangle);
+        if (!(piece > 0.0)) {
+            continue;
+        }
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+            // The constrained edges that bound what the corner sees on this side.
+            HalfEdge right = Topology::halfEdge(triangle, corner);
+            vertices.emplace_back(t.origin(right), piece);
+            HalfEdge left = Topology::prev(right);
+            while (!t.isConstrained(right) && t.twin(right) != left) {
+                right = Topology::next(t.twin(right));
+            }
+            while (!t.isConstrained(left) && t.twin(left) != right) {
+                left = Topology::prev(t.twin(left));
+            }
+            lower(right, piece);
+            lower(left, piece);
+        }
+    }
+    return vertices;
+}
+
+} // namespace tessera

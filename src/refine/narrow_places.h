@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/execution.h"
+#include "refine/mesh_editor.h"
+#include "refine/refine.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tessera
+{
+
+/// A connected place between constrained edges too narrow for pieces of kSmallestPiece.
+struct NarrowPlace
+{
+    std::vector<std::uint32_t> triangles; ///< of the triangulation of the boundary
+    double cost; ///< triangles that a graded mesh with good angles has there and around, estimated
+};
+
+/// All such places of the kept regions, cheapest first. field, sizes: by vertex, the size field and
+/// the size that triangles have if no such place is followed.
+/// Precondition: no interior vertex yet. Complexity: O(n log n) for n triangles.
+std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<const double> field,
+                                          std::span<const double> sizes, double minAngle);
+
+/// Lets refinement divide the constrained edges around a place as finely as it is narrow, by
+/// mesh.leastPiece; returns the vertices concerned with that length.
+std::vector<std::pair<std::uint32_t, double>> follow(const NarrowPlace& place, MeshEditor& editor);
+
+} // namespace tessera
