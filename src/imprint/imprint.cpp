@@ -12,6 +12,7 @@
 
 #include "base/box2.h"
 #include "base/error.h"
+#include "curve/curve_tools.h"
 #include "imprint/patches.h"
 #include "imprint/true_area.h"
 #include "imprint/without_advice.h"
@@ -89,10 +90,7 @@ private:
         options.recovery = options_.recovery;
         options.weld = weld;
         options.chordError = options_.chordError;
-        Box2 box;
-        for (const Vec2 p : network_.points) {
-            box.add(p);
-        }
+        const Box2 box = networkBounds(network_);
         if (options.chordError == 0.0 && options_.tolerance > options_.weld
             && box.diagonal() > 0.0) {
             options.chordError = std::min(kCoarseChord * box.diagonal(),

@@ -8,6 +8,7 @@
 #include "arrange/arrange.h"
 #include "base/box2.h"
 #include "curve/chord_area.h"
+#include "curve/curve_tools.h"
 #include "curve/network_check.h"
 #include "imprint/contraction.h"
 #include "imprint/empty_overlay.h"
@@ -122,10 +123,7 @@ private:
     void sampleStage()
     {
         execution_.beginStage("sample", 0.1, 0.2);
-        Box2 box;
-        for (const Vec2 p : result_.arranged->points) {
-            box.add(p);
-        }
+        const Box2 box = networkBounds(*result_.arranged);
         const double diagonal = box.diagonal() > 0.0 ? box.diagonal() : 1.0;
         SampleOptions sampleOptions;
         sampleOptions.straightSegments = false;

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace tessera
 {
@@ -96,6 +97,7 @@ private:
     std::vector<gp_Pnt> samples_;
     std::vector<std::uint32_t> sampleEdge_;
     std::vector<PointId> vertexPoint_;    ///< by vertex number
+    std::map<std::pair<double, double>, PointId> pointAt_; ///< of vertices, by position
     std::vector<std::uint8_t> embedded_;  ///< by vertex number
     PlaneProjection projection_ {PlaneFrame {}};
     CadInput input_;
@@ -354,7 +356,13 @@ PointId ShapeReader::pointOf(const TopoDS_Vertex& vertex)
 {
     PointId& id = vertexPoint_[static_cast<std::size_t>(vertices_.FindIndex(vertex))];
     if (!id.valid()) {
-        id = input_.network.addPoint(projection_.point(BRep_Tool::Pnt(vertex)));
+        // Edges of sketches have vertices of their own: what coincides was drawn so.
+        const Vec2 p = projection_.point(BRep_Tool::Pnt(vertex));
+        PointId& there = pointAt_[{p.x, p.y}];
+        if (!there.valid()) {
+            there = input_.network.addPoint(p);
+        }
+        id = there;
     }
     return id;
 }

@@ -111,6 +111,24 @@ TEST(Overlay, CurvedOperandsMeetOnTheirTrueCurves)
     EXPECT_EQ(crossings, 2U);
 }
 
+TEST(Overlay, RingsAreMeasuredByTheirCurvesNotByTheirSeams)
+{
+    CurveNetwork network;
+    constexpr double kGap = 1e-4;
+    for (const double radius : {10.0, 10.0 + kGap}) {
+        const auto circle = std::make_shared<EllipseArc>(
+            Vec2 {0, 0}, Vec2 {radius, 0}, Vec2 {0, radius}, 0.0, 2.0 * std::numbers::pi);
+        const PointId seam = network.addPoint({radius, 0.0});
+        network.curves.push_back({circle, seam, seam, OperandId(network.operands.size())});
+        network.operands.emplace_back();
+    }
+    OverlayOptions options;
+    options.operation = BooleanOperation::Cells;
+    const OverlayResult result = overlay(network, options);
+    ASSERT_EQ(result.polygons.size(), 2U);
+    EXPECT_LT(result.polygons.vertices.size(), 10000U);
+}
+
 TEST(Overlay, WktReadsBackAsTheSameResult)
 {
     for (const BooleanOperation operation :

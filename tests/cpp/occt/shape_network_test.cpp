@@ -293,6 +293,23 @@ TEST(ShapeNetwork, LooseEdgesFormOneOperandBesideTheFaces)
     EXPECT_THROW(networkFromShape(shape, options), CadError);
 }
 
+TEST(ShapeNetwork, EdgesWhoseVerticesCoincideShareTheirPoints)
+{
+    // As in a sketch: each line has vertices of its own.
+    const gp_Pnt a(0, 0, 0);
+    const gp_Pnt b(4, 0, 0);
+    const gp_Pnt c(4, 3, 0);
+    const TopoDS_Shape shape = compound({BRepBuilderAPI_MakeEdge(a, b).Edge(),
+                                         BRepBuilderAPI_MakeEdge(b, c).Edge(),
+                                         BRepBuilderAPI_MakeEdge(c, a).Edge()});
+    const CurveNetwork network = networkFromShape(shape).network;
+    EXPECT_EQ(network.points.size(), 3U);
+    ASSERT_EQ(network.curves.size(), 3U);
+    EXPECT_EQ(network.curves[0].end, network.curves[1].start);
+    EXPECT_EQ(network.curves[1].end, network.curves[2].start);
+    EXPECT_EQ(network.curves[2].end, network.curves[0].start);
+}
+
 TEST(ShapeNetwork, NamesOfEdgesCanBeGiven)
 {
     CadOptions options;
