@@ -45,7 +45,9 @@ void ArcPairFinder::find(const Arc& a, const Arc& b)
 {
     budget_ = kMostSteps;
     search(a, b);
-    unresolved += budget_ < 0 ? 1 : 0;
+    if (budget_ < 0) {
+        unresolved.push_back(midpoint(a.pa, a.pb));
+    }
 }
 
 void ArcPairFinder::search(const Arc& a, const Arc& b)

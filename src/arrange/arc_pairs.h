@@ -51,9 +51,10 @@ public:
 
     std::vector<Contact> crossings;
     std::vector<Stretch> stretches;
-    /// Pairs that were given up after too many halvings, which bounds the work for curves that wind
-    /// around each other near the tolerance. What they miss is left to the recovery of the chords.
-    std::size_t unresolved = 0;
+    /// A place on each pair that was given up after too many halvings, which bounds the work for
+    /// curves that wind around each other near the tolerance. What they miss is left to the recovery
+    /// of the chords.
+    std::vector<Vec2> unresolved;
 
 private:
     void search(const Arc& a, const Arc& b);

@@ -46,7 +46,7 @@ public:
         sortByPlace(crossings_);
         mergeStretches();
         result_.points.insert(result_.points.end(), crossings_.begin(), crossings_.end());
-        result_.unresolved = pairs_.unresolved;
+        result_.unresolved = std::move(pairs_.unresolved);
         std::erase_if(result_.points, [this](const Contact& c) { return startsAtSharedEnd(c); });
         sortByPlace(result_.points);
         return std::move(result_);

@@ -17,7 +17,7 @@ struct CurveContacts
 {
     std::vector<Contact> points;    ///< crossings and touches
     std::vector<Stretch> overlaps;  ///< lengths on both curves, from end to end of one of them
-    std::size_t unresolved = 0;     ///< pairs of arcs given up, see ArcPairFinder
+    std::vector<Vec2> unresolved;   ///< places of pairs given up, see ArcPairFinder
 };
 
 /// Looks at all pairs of curves of which at least one is not straight, and at each such curve with

@@ -7,6 +7,7 @@
 #include "arrange/split_curves.h"
 #include "arrange/weld.h"
 #include "arrange/weld_overlaps.h"
+#include "base/number_text.h"
 #include "curve/curve_tools.h"
 
 #include <algorithm>
@@ -216,10 +217,12 @@ public:
         const std::vector<PieceOrigin> origins =
             splitCurves(network_, std::move(splits_), 4.0 * tolerance_, report_);
         shareGeometry(origins);
-        if (contacts_.unresolved > 0) {
+        if (!contacts_.unresolved.empty()) {
             report_.messages.push_back(
-                "Some curves run so close to each other that not all of their crossings could be"
-                " told apart; the mesh follows their chords there.");
+                "Curves run beside each other so closely, first near "
+                + placeText(contacts_.unresolved.front())
+                + ", that crossings between them may have been missed; where the mesh is coarse"
+                  " there, it follows their chords.");
         }
     }
 
