@@ -103,9 +103,21 @@ private:
         const double t = nearestParameter(curves_, arc, position);
         const double d = distance(curves_[arc.curve].point(t), position);
         const double reach = isSeam_[p] != 0 ? seamReach_ : tolerance_;
-        if (d <= reach && !isAtOwnEnd(arc.curve, p, t)) {
+        if (d <= reach && !isAtOwnEnd(arc.curve, p, t) && !isInRowWithEnd(arc.curve, p)) {
             found.push_back({arc.curve, p, t, d});
         }
+    }
+
+    /// An end of the curve, no seam, is near the point, and yet the two did not become one: both are
+    /// in a row of points too long for that, which stay as they are.
+    bool isInRowWithEnd(std::uint32_t c, std::uint32_t p) const
+    {
+        const NetworkCurve& curve = network_.curves[c];
+        const auto isNear = [&](PointId end) {
+            return end.value != p && isSeam_[end.index()] == 0
+                && distance(network_.points[end.index()], network_.points[p]) <= weld_;
+        };
+        return isSeam_[p] == 0 && (isNear(curve.start) || isNear(curve.end));
     }
 
     /// The curve ends at the point anyway, and that end is where it is near.

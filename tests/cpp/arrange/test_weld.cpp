@@ -168,6 +168,28 @@ TEST(Arrange, ClosesGapsWithinTheToleranceAndSettlesChains)
     }
 }
 
+TEST(Arrange, RowsOfEndsAreLeftAsTheyAre)
+{
+    // Parallel lines nearer to each other than the tolerance, their ends in step and out of step.
+    for (const double step : {0.0, 0.03}) {
+        CurveNetwork network;
+        network.operands.resize(1);
+        for (int i = 0; i < 8; ++i) {
+            const PointId start = network.addPoint({0.09 * i, i % 2 == 0 ? 0.0 : step});
+            const PointId end = network.addPoint({0.09 * i, 4.0});
+            network.curves.push_back({nullptr, start, end, OperandId(0U), Role::Constraint});
+        }
+        ArrangeReport report;
+        Execution execution;
+        const CurveNetwork arranged = arrange(network, {.weld = 0.1}, report, execution);
+        EXPECT_EQ(report.chainsLeft.size(), 2U);
+        EXPECT_EQ(report.welded, 0U);
+        EXPECT_EQ(arranged.points, network.points);
+        EXPECT_EQ(arranged.curves.size(), network.curves.size());
+        EXPECT_EQ(report.messages.size(), 1U);
+    }
+}
+
 TEST(Arrange, WithoutToleranceEqualPointsOfStraightCurvesStayTwo)
 {
     CurveNetwork network = almostClosed(0.0);
