@@ -421,10 +421,12 @@ std::vector<std::uint8_t> findSeams(const CurveNetwork& network)
 {
     std::vector<std::uint8_t> isSeam(network.points.size(), 0);
     for (const NetworkCurve& curve : network.curves) {
-        isSeam[curve.start.index()] |= curve.role != Role::Ignored && curve.geometry != nullptr;
+        if (isMeshed(curve) && curve.geometry) { // the others may have lost their points
+            isSeam[curve.start.index()] = 1;
+        }
     }
     for (const NetworkCurve& curve : network.curves) {
-        if (curve.role != Role::Ignored && (curve.start != curve.end || !curve.geometry)) {
+        if (isMeshed(curve) && (curve.start != curve.end || !curve.geometry)) {
             isSeam[curve.start.index()] = isSeam[curve.end.index()] = 0;
         }
     }
