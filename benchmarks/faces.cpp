@@ -150,8 +150,8 @@ int main(int argc, char** argv)
     fillWithCircles(many, 200, 0.07, 0.14);
     fillWithCircles(few, 200, 0.02, 0.05);
     Section section("Overlapping faces to conforming faces", "OpenCASCADE " OCC_VERSION_STRING_EXT);
-    section.note("Each of *200 circles* crosses some twenty-three others, of *200 circles, apart* three. "
-                 "All faces' areas are compared with those of General Fuse and checked by "
+    section.note("Each of *200 circles* crosses some twenty-three others, of *200 circles, apart* "
+                 "three. All faces' areas are compared with those of General Fuse and checked by "
                  "`BRepCheck_Analyzer`.");
     add(section, many, 0.01);
     add(section, few, 0.0);

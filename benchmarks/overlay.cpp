@@ -321,8 +321,9 @@ int main(int argc, char** argv)
     const Vec2 origin;
     Section section("Overlays of polygons with 10^5 points",
                     bench::peers({"CGAL", "GEOS", "Boost", "Clipper"}));
-    section.note("Clipper's time on *few crossings* depends on what ran before it in the process; alone "
-                 "with Tessera: `tools/bench overlay -- --benchmark_filter='few crossings/(T|C)'`.");
+    section.note("Clipper's time on *few crossings* depends on what ran before it in the process; "
+                 "alone with Tessera: `tools/bench overlay -- "
+                 "--benchmark_filter='few crossings/(T|C)'`.");
     addStars(section, "stars", {star(kPoints, 0.0), star(kPoints, 2.0 * std::numbers::pi / n)});
     addWiggly(section, "wiggly",
               {waves(kPoints, origin, 1e-5, n / 2.0 + 0.3, 0.1),

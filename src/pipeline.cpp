@@ -128,6 +128,10 @@ public:
             return meshArranged(callersSize);
         }
         catch (const Error& error) {
+            if (error.kind() == ErrorKind::TimeLimit) {
+                throw Error(ErrorKind::TimeLimit,
+                            "The time limit ran out; raise it or choose a larger size.");
+            }
             throw Error(error.kind(), error.what(), placesInInput(error.places()));
         }
     }

@@ -27,7 +27,7 @@ std::vector<std::uint8_t> usedPoints(const CurveNetwork& network)
 {
     std::vector<std::uint8_t> used(network.points.size(), 0);
     for (const NetworkCurve& curve : network.curves) {
-        if (curve.role != Role::Ignored) {
+        if (isMeshed(curve)) {
             used[curve.start.index()] = 1;
             used[curve.end.index()] = 1;
         }
@@ -53,7 +53,7 @@ void joinSeamsAlong(const CurveNetwork& network, double tolerance,
     std::sort(seams.begin(), seams.end());
     std::map<std::uint32_t, std::uint32_t> curveAt;
     for (std::uint32_t c = 0; c < network.curves.size(); ++c) {
-        if (network.curves[c].role != Role::Ignored) {
+        if (isMeshed(network.curves[c])) {
             curveAt.emplace(network.curves[c].start.value, c);
         }
     }
@@ -152,7 +152,7 @@ std::size_t collapseShortCurves(const CurveNetwork& before, double weld, CurveNe
         if (curve.geometry && arcLength(*curve.geometry) > 2.0 * weld) {
             continue;
         }
-        count += curve.role != Role::Ignored && (curve.geometry || !(a == b)) ? 1 : 0;
+        count += isMeshed(curve) && (curve.geometry || !(a == b)) ? 1 : 0;
         curve.geometry = nullptr;
     }
     return count;
@@ -179,8 +179,9 @@ void addMessages(double weld, ArrangeReport& report)
     if (report.weldedOnto > 0) {
         report.messages.push_back(
             counted(report.weldedOnto, " end point was", " end points were")
-            + " joined to the inside of a curve" + within + ", which moves ends or bends curves by up to "
-            + numberText(report.greatestBend) + ".");
+            + " joined to the inside of a curve" + within
+            + ", which moves ends or bends curves by up to " + numberText(report.greatestBend)
+            + ".");
     }
     if (report.weldedAlong > 0) {
         report.messages.push_back(

@@ -26,11 +26,6 @@ namespace
 /// scale; with a wide margin.
 constexpr double kRounding = 1e-12;
 
-bool isMeshed(const NetworkCurve& curve)
-{
-    return curve.role != Role::Ignored;
-}
-
 bool hasCurved(const CurveNetwork& network)
 {
     return std::any_of(network.curves.begin(), network.curves.end(),

@@ -31,11 +31,6 @@ constexpr double kShares[] = {0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875, 1.0};
 /// Of curves along each other, neither is longer by more than this part.
 constexpr double kLonger = 0.01;
 
-bool isMeshed(const NetworkCurve& curve)
-{
-    return curve.role != Role::Ignored;
-}
-
 class OverlapWelder
 {
 public:

@@ -63,9 +63,9 @@ private:
 /// Curves with the same two ends that run along each other within the weld tolerance become one
 /// curve: all get the geometry of the first of them, straight if one is. Closed curves along each
 /// other that cross or touch, and curves along a seam, are cut at each other's seams for that. So a
-/// circle and a spline that approximates it enclose nothing between them. Does nothing without a tolerance. Fills
-/// report.weldedAlong and report.greatestGap. Precondition: ends are welded, to each other and onto
-/// curves; wasSeam says by point which were seams before.
+/// circle and a spline that approximates it enclose nothing between them. Does nothing without a
+/// tolerance. Fills report.weldedAlong and report.greatestGap. Precondition: ends are welded, to each
+/// other and onto curves; wasSeam says by point which were seams before.
 void weldOverlaps(CurveNetwork& network, std::span<const std::uint8_t> wasSeam,
                   const ArrangeOptions& options, ArrangeReport& report, Execution& execution);
 

@@ -67,8 +67,7 @@ public:
             throw Error(ErrorKind::Cancelled, "Cancelled.");
         }
         if (deadline_ && Clock::now() > *deadline_) {
-            throw Error(ErrorKind::TimeLimit,
-                        "The time limit ran out; raise it or choose a larger size.");
+            throw Error(ErrorKind::TimeLimit, "The time limit ran out; raise it.");
         }
     }
     /// checkpoint() and tell how much of the stage is done, 0..1.

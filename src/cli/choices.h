@@ -22,11 +22,12 @@ inline const std::map<std::string, FillRule> kFillRules {
     {"positive", FillRule::Positive}, {"negative", FillRule::Negative},
     {"all", FillRule::All},           {"hull", FillRule::Hull},
 };
-inline const std::map<std::string, FillRule> kBooleanFillRules {
-    {"even-odd", FillRule::EvenOdd}, {"nonzero", FillRule::NonZero},
-    {"positive", FillRule::Positive}, {"negative", FillRule::Negative},
-    {"all", FillRule::All},
-};
+/// Those that mean something for an overlay.
+inline const std::map<std::string, FillRule> kBooleanFillRules = [] {
+    auto rules = kFillRules;
+    rules.erase("hull");
+    return rules;
+}();
 inline const std::map<std::string, int> kOrders {{"1", 1}, {"2", 2}};
 inline const std::map<std::string, RecoveryStrategy> kStrategies {
     {"cavity", RecoveryStrategy::Cavity},

@@ -9,7 +9,6 @@
 #include "cli/run_control.h"
 #include "cli/run_options.h"
 #include "imprint/imprint.h"
-#include "imprint/without_advice.h"
 #include "io/atomic_file.h"
 #include "io/counted.h"
 #include "io/imprint_report.h"
@@ -171,7 +170,7 @@ Command addImprintCommand(CLI::App& program)
     const auto arguments = std::make_shared<ImprintArguments>();
     addOptions(*command, *arguments);
     requireOverlayOutput(*command, arguments);
-    return [arguments] { return withoutAdvice([&] { return runImprint(*arguments); }); };
+    return [arguments] { return runImprint(*arguments); };
 }
 
 } // namespace tessera::cli

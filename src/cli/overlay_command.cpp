@@ -8,7 +8,6 @@
 #include "cli/run_control.h"
 #include "cli/run_options.h"
 #include "imprint/overlay.h"
-#include "imprint/without_advice.h"
 #include "io/atomic_file.h"
 #include "io/counted.h"
 #include "io/overlay_pictures.h"
@@ -151,7 +150,7 @@ Command addOverlayCommand(CLI::App& program)
     const auto arguments = std::make_shared<OverlayArguments>();
     addOptions(*command, *arguments);
     requireOverlayOutput(*command, arguments);
-    return [arguments] { return withoutAdvice([&] { return runOverlay(*arguments); }); };
+    return [arguments] { return runOverlay(*arguments); };
 }
 
 } // namespace tessera::cli

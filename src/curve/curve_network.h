@@ -58,6 +58,12 @@ struct NetworkCurve
     bool roleByConnection = false;
 };
 
+/// Others are left out of everything; arrange() takes their points away.
+inline bool isMeshed(const NetworkCurve& curve)
+{
+    return curve.role != Role::Ignored;
+}
+
 /// A point that removes the face around it (.poly holes) from its operand.
 struct HolePoint
 {

@@ -15,7 +15,6 @@
 #include "curve/curve_tools.h"
 #include "imprint/patches.h"
 #include "imprint/true_area.h"
-#include "imprint/without_advice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -396,7 +395,7 @@ const char* nameOf(MismatchKind kind)
 ImprintResult imprintNetwork(const CurveNetwork& network, const std::vector<ImprintSide>& side,
                              const ImprintOptions& options, Execution& execution)
 {
-    return withoutAdvice([&] { return Imprint(network, side, options, execution).run(); });
+    return Imprint(network, side, options, execution).run();
 }
 
 } // namespace tessera

@@ -12,7 +12,6 @@
 #include "curve/network_check.h"
 #include "imprint/contraction.h"
 #include "imprint/empty_overlay.h"
-#include "imprint/without_advice.h"
 #include "recover/constraint_map.h"
 #include "recover/snap_message.h"
 #include "sample/sample.h"
@@ -404,9 +403,7 @@ CurvesThroughVertices::CurvesThroughVertices(const OverlayResult& result)
 OverlayResult overlayNetwork(CurveNetwork network, const OverlayOptions& options,
                              Execution& execution, StageObserver* stages)
 {
-    return withoutAdvice([&] {
-        return Overlay(std::move(network), options, execution, stages).run();
-    });
+    return Overlay(std::move(network), options, execution, stages).run();
 }
 
 } // namespace tessera

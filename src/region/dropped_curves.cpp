@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "region/dropped_curves.h"
 
+#include "curve/default_roles.h"
 #include "region/curve_names.h"
 #include "region/open_outline.h"
 
@@ -8,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
-#include <utility>
 
 namespace tessera
 {
@@ -26,48 +26,28 @@ bool isStraightLine(const OutlineFlaw& flaw, const CurveNetwork& network,
         && (a == b || (!parent.empty() && parent[a] == parent[b]));
 }
 
-/// By subsegment: of the tree that hangs on the outlines, or of a chain that ends freely.
+/// By subsegment: a border in a tree that hangs on the outlines, or of a chain that ends freely.
 std::vector<std::uint8_t> danglingBorders(const RecoveryResult& recovered,
                                           const CurveNetwork& network, const Pslg& pslg)
 {
-    const auto& subsegments = recovered.constraints.subsegments;
-    std::vector<std::uint32_t> degree(recovered.triangulation.points.size(), 0);
-    std::vector<std::uint8_t> borders(subsegments.size(), 0);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> at; // (vertex, subsegment)
-    for (std::uint32_t s = 0; s < subsegments.size(); ++s) {
-        for (const ConstraintUse& use : recovered.constraints.usesOf(subsegments[s])) {
-            const CurveId curve = pslg.segments[use.constraint.index()].curve;
-            borders[s] |= network.curves[curve.index()].role == Role::Boundary;
-        }
-        for (const std::uint32_t v : {subsegments[s].a, subsegments[s].b}) {
-            if (borders[s] != 0) {
-                ++degree[v];
-                at.emplace_back(v, s);
-            }
+    const ConstraintMap& map = recovered.constraints;
+    std::vector<GraphEdge> edges;
+    std::vector<std::size_t> subsegmentOf;
+    for (std::size_t s = 0; s < map.subsegments.size(); ++s) {
+        const auto uses = map.usesOf(map.subsegments[s]);
+        if (std::any_of(uses.begin(), uses.end(), [&](const ConstraintUse& use) {
+                const CurveId curve = pslg.segments[use.constraint.index()].curve;
+                return network.curves[curve.index()].role == Role::Boundary;
+            })) {
+            edges.push_back({map.subsegments[s].a, map.subsegments[s].b});
+            subsegmentOf.push_back(s);
         }
     }
-    std::sort(at.begin(), at.end());
-    std::vector<std::uint32_t> ends;
-    for (std::uint32_t v = 0; v < degree.size(); ++v) {
-        if (degree[v] == 1) {
-            ends.push_back(v);
-        }
-    }
-    std::vector<std::uint8_t> dangling(subsegments.size(), 0);
-    while (!ends.empty()) {
-        const std::uint32_t v = ends.back();
-        ends.pop_back();
-        for (auto i = std::lower_bound(at.begin(), at.end(), std::pair(v, 0U));
-             i != at.end() && i->first == v; ++i) {
-            const Subsegment& s = subsegments[i->second];
-            if (dangling[i->second] == 0) {
-                dangling[i->second] = 1;
-                const std::uint32_t other = s.a == v ? s.b : s.a;
-                if (--degree[other] == 1) {
-                    ends.push_back(other);
-                }
-            }
-        }
+    const EdgeClasses classes
+        = classifyEdges(edges, recovered.triangulation.points.size(), {});
+    std::vector<std::uint8_t> dangling(map.subsegments.size(), 0);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        dangling[subsegmentOf[i]] = classes.classOf[i] == EdgeClass::Dangling ? 1 : 0;
     }
     return dangling;
 }

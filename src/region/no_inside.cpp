@@ -23,11 +23,6 @@ constexpr const char* kBoundaryRole = " the role boundary (option 'boundary')";
 constexpr const char* kOrFillAll =
     ", or choose the fill rule 'all', which meshes all that the curves enclose.";
 
-bool isMeshed(const NetworkCurve& curve)
-{
-    return curve.role != Role::Ignored;
-}
-
 bool bounds(const NetworkCurve& curve)
 {
     return curve.role == Role::Boundary || curve.role == Role::Outline;

@@ -32,6 +32,11 @@ void writeOverlay(const OverlayResult& result, BooleanOperation operation,
 {
     const std::string extension = extensionOf(path);
     const bool svg = extension == ".svg";
+    if (extension != ".wkt" && !isMeshExtension(extension)) {
+        throw Error(ErrorKind::Unwritable,
+                    path.string() + ": results are written as .wkt, .brep, .step, "
+                        + meshExtensions() + ".");
+    }
     if (extension != ".wkt" && extension != ".poly" && !svg && extension != ".png") {
         writeMesh(meshOf(result), path, &result.input);
         return;

@@ -71,7 +71,7 @@ def test_wrong_options_are_refused():
 
 
 def test_files_of_unknown_kinds_are_refused_with_what_there_is(tmp_path):
-    with pytest.raises(tessera.UnwritableError, match=r"written as \.wkt, \.poly, \.brep"):
+    with pytest.raises(tessera.UnwritableError, match=r"results are written as \.wkt, \.brep, \.step, \.vtu"):
         operands().union().write(tmp_path / "out.foo")
     with pytest.raises(tessera.UnwritableError, match="a text or a path"):
         operands().union().write(3)

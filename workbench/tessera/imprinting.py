@@ -10,16 +10,11 @@ from typing import Any, NamedTuple, Tuple
 import numpy as np
 
 from tessera import arrays
-from tessera.errors import Error, InvalidInputError, InvalidOptionError, UnwritableError
+from tessera.errors import Error, InvalidInputError, InvalidOptionError
 from tessera.meshing import _FILLS, _RECOVERIES, Execution, _choice, _not_negative, _positive
 from tessera.native import module as native
 from tessera.result import name_of
 from tessera.sources import _items, _looks_like_cad, _prefixes
-
-#: Extensions of the files that an overlay or an imprint is written to.
-_OUTPUTS = (
-    ".wkt", ".poly", ".brep", ".brp", ".step", ".stp", ".vtu", ".vtk", ".msh", ".inp", ".svg", ".png"
-)
 
 
 class ImprintCell(NamedTuple):
@@ -102,7 +97,7 @@ class Imprint:
     def write(self, path):
         """Writes the imprinted faces as .brep or .step, or the cells as .wkt, .poly or in any format
         of tessera.Mesh.write()."""
-        write_result(self._data, path)
+        self._data.write(name_of(path))
 
     def to_shape(self):
         """A Part.Compound of two: of the sources and of the targets; in each a compound of faces for
@@ -119,15 +114,6 @@ class Imprint:
 
     def _faces(self, side):
         return [own.Faces for own in self.to_shape().SubShapes[side].SubShapes]
-
-
-def write_result(data, path):
-    """Writes an overlay or an imprint; raises tessera.UnwritableError."""
-    path = name_of(path)
-    if not path.lower().endswith(_OUTPUTS):
-        listed = ", ".join(_OUTPUTS[:-1])
-        raise UnwritableError(f"{path}: results are written as {listed} or {_OUTPUTS[-1]}.")
-    data.write(path)
 
 
 def shape_from(brep):

@@ -6,9 +6,10 @@ import json
 import numpy as np
 
 from tessera.errors import InvalidOptionError
-from tessera.imprinting import shape_from, write_result
+from tessera.imprinting import shape_from
 from tessera.meshing import _FILLS, _RECOVERIES, Execution, _choice, _not_negative, _positive
 from tessera.native import module as native
+from tessera.result import name_of
 from tessera.sources import Prepared, prepare
 
 _PRIORITIES = {
@@ -82,7 +83,7 @@ class Polygons:
     def write(self, path):
         """Writes .wkt or .poly, faces as .brep or .step in the frame of the first sketch, or the
         triangles in any format of tessera.Mesh.write()."""
-        write_result(self._data, path)
+        self._data.write(name_of(path))
 
 
 class Overlay:

@@ -9,6 +9,7 @@
 #include "random_edges.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -67,6 +68,43 @@ inline double greatestResidual(const Crossed& crossed)
         }
     }
     return greatest;
+}
+
+/// Pieces of two edges between the same two points and along the same way: of one geometry, or of
+/// opposed ones that differ by rounding, at most by `most`.
+inline std::size_t sharedPieces(const Crossed& crossed,
+                                double most = std::numeric_limits<double>::infinity())
+{
+    const auto at = [](const Curve& c, double share) {
+        return c.point((1.0 - share) * c.first() + share * c.last());
+    };
+    const auto same = [&](const NetworkCurve& a, const NetworkCurve& b) {
+        const bool alike = a.start == b.start && a.end == b.end;
+        const bool opposed = a.start == b.end && a.end == b.start;
+        if (!a.geometry || !b.geometry) {
+            return (alike || opposed) && !a.geometry && !b.geometry;
+        }
+        const Vec2 p = at(*a.geometry, 0.3);
+        return (alike && a.geometry == b.geometry)
+            || (opposed
+                && distance(p, at(*b.geometry, 0.7))
+                    <= std::min(most, 1e-14 * (length(p) + arcLength(*a.geometry))));
+    };
+    const auto& curves = crossed.network.curves;
+    std::size_t shared = 0;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        for (std::size_t j = 0; j < curves.size(); ++j) {
+            shared += crossed.edgeOf[i] < crossed.edgeOf[j] && same(curves[i], curves[j]) ? 1 : 0;
+        }
+    }
+    return shared;
+}
+
+/// A circle and an ellipse that start neither at an axis nor at the origin.
+inline std::vector<Handle(Geom_Curve)> closedConics()
+{
+    const gp_Ax2 place(gp_Pnt(3, 4, 0), gp_Dir(0, 0, 1), gp_Dir(1, 1, 0));
+    return {new Geom_Circle(place, 2.5), new Geom_Ellipse(place, 2.5, 1.0)};
 }
 
 } // namespace tessera::test

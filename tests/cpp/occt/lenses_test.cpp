@@ -204,34 +204,6 @@ std::vector<Handle(Geom_Curve)> overlappingParts(const Handle(Geom_Curve)& whole
     return {low, high};
 }
 
-Vec2 pointAt(const NetworkCurve& curve, double share)
-{
-    const Curve& c = *curve.geometry;
-    return c.point((1.0 - share) * c.first() + share * c.last());
-}
-
-/// Pieces of both edges between the same two points and along the same way.
-std::size_t sharedPieces(const Crossed& crossed)
-{
-    const auto same = [](const NetworkCurve& a, const NetworkCurve& b) {
-        const bool alike = a.start == b.start && a.end == b.end;
-        const bool opposed = a.start == b.end && a.end == b.start;
-        if (!a.geometry || !b.geometry) {
-            return (alike || opposed) && !a.geometry && !b.geometry;
-        }
-        return (alike && a.geometry == b.geometry)
-            || (opposed && distance(pointAt(a, 0.3), pointAt(b, 0.7)) <= 1e-14 * kSize);
-    };
-    const auto& curves = crossed.network.curves;
-    std::size_t shared = 0;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        for (std::size_t j = 0; j < curves.size(); ++j) {
-            shared += crossed.edgeOf[i] < crossed.edgeOf[j] && same(curves[i], curves[j]) ? 1 : 0;
-        }
-    }
-    return shared;
-}
-
 } // namespace
 
 TEST(Overlaps, PartsOfOneCurveOfEveryKindShareAPiece)
@@ -253,7 +225,7 @@ TEST(Overlaps, PartsOfOneCurveOfEveryKindShareAPiece)
                     const Crossed crossed = arranged(overlappingParts(whole, opposed), weld);
                     EXPECT_EQ(crossed.network.curves.size(), 4U);
                     EXPECT_EQ(crossed.network.points.size(), 4U);
-                    EXPECT_EQ(sharedPieces(crossed), 1U);
+                    EXPECT_EQ(sharedPieces(crossed, 1e-14 * kSize), 1U);
                     EXPECT_LE(greatestResidual(crossed), 1e-12 * 3 * kSize);
                 }
             }
@@ -270,17 +242,13 @@ TEST(Overlaps, ASplineOnItselfWithMoreKnotsAndAHigherDegree)
         richer->InsertKnot(1.62);
         const Crossed crossed = arranged({plain, Handle(Geom_Curve)(richer)}, 0.0);
         EXPECT_EQ(crossed.network.curves.size(), 2U);
-        EXPECT_EQ(sharedPieces(crossed), 1U);
+        EXPECT_EQ(sharedPieces(crossed, 1e-14 * kSize), 1U);
     }
 }
 
 TEST(Overlaps, ClosedCurvesOnThemselvesWithOtherSeams)
 {
-    const Handle(Geom_Curve) circle
-        = new Geom_Circle(gp_Ax2(gp_Pnt(3, 4, 0), gp_Dir(0, 0, 1), gp_Dir(1, 1, 0)), 2.5);
-    const Handle(Geom_Curve) ellipse
-        = new Geom_Ellipse(gp_Ax2(gp_Pnt(3, 4, 0), gp_Dir(0, 0, 1), gp_Dir(1, 1, 0)), 2.5, 1.0);
-    for (const Handle(Geom_Curve)& closed : {circle, ellipse}) {
+    for (const Handle(Geom_Curve)& closed : closedConics()) {
         for (const bool opposed : {false, true}) {
             Handle(Geom_Curve) other = new Geom_TrimmedCurve(closed, 1.0, 1.0 + 2 * std::numbers::pi);
             if (opposed) {
@@ -288,7 +256,7 @@ TEST(Overlaps, ClosedCurvesOnThemselvesWithOtherSeams)
             }
             const Crossed crossed = arranged({closed, other}, 0.0);
             EXPECT_EQ(crossed.network.curves.size(), 4U);
-            EXPECT_EQ(sharedPieces(crossed), 2U);
+            EXPECT_EQ(sharedPieces(crossed, 1e-14 * kSize), 2U);
         }
     }
 }

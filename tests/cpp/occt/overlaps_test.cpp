@@ -76,32 +76,6 @@ Handle(Geom_Curve) moved(const Handle(Geom_Curve)& curve, double scale, double a
     return Handle(Geom_Curve)::DownCast(curve->Transformed(far * larger));
 }
 
-std::size_t countShared(const Crossed& crossed)
-{
-    const auto at = [](const Curve& c, double share) {
-        return c.point((1.0 - share) * c.first() + share * c.last());
-    };
-    const auto same = [&](const NetworkCurve& a, const NetworkCurve& b) {
-        const bool alike = a.start == b.start && a.end == b.end;
-        const bool opposed = a.start == b.end && a.end == b.start;
-        if (!a.geometry || !b.geometry) {
-            return (alike || opposed) && !a.geometry && !b.geometry;
-        }
-        return (alike && a.geometry == b.geometry)
-            || (opposed
-                && distance(at(*a.geometry, 0.3), at(*b.geometry, 0.7))
-                    <= 1e-14 * length(at(*a.geometry, 0.3)) + 1e-14 * arcLength(*a.geometry));
-    };
-    const auto& curves = crossed.network.curves;
-    std::size_t shared = 0;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        for (std::size_t j = 0; j < curves.size(); ++j) {
-            shared += crossed.edgeOf[i] < crossed.edgeOf[j] && same(curves[i], curves[j]) ? 1 : 0;
-        }
-    }
-    return shared;
-}
-
 constexpr EdgeKind kConics[] = {EdgeKind::Line, EdgeKind::CircleArc, EdgeKind::EllipseArc,
                                 EdgeKind::Parabola, EdgeKind::Hyperbola};
 
@@ -145,7 +119,7 @@ TEST(Overlaps, ConicsAndTheirSplinesShareAPiece)
                          written(part(whole, expected.high[0], expected.high[1]), writing)},
                         weld);
                     EXPECT_EQ(crossed.network.curves.size(), expected.pieces);
-                    EXPECT_EQ(countShared(crossed), 1U);
+                    EXPECT_EQ(sharedPieces(crossed), 1U);
                 }
             }
         }
@@ -154,11 +128,7 @@ TEST(Overlaps, ConicsAndTheirSplinesShareAPiece)
 
 TEST(Overlaps, WholeEllipsesAndTheirSplines)
 {
-    const Handle(Geom_Curve) circle
-        = new Geom_Circle(gp_Ax2(gp_Pnt(3, 4, 0), gp_Dir(0, 0, 1), gp_Dir(1, 1, 0)), 2.5);
-    const Handle(Geom_Curve) ellipse
-        = new Geom_Ellipse(gp_Ax2(gp_Pnt(3, 4, 0), gp_Dir(0, 0, 1), gp_Dir(1, 1, 0)), 2.5, 1.0);
-    for (const Handle(Geom_Curve)& closed : {circle, ellipse}) {
+    for (const Handle(Geom_Curve)& closed : closedConics()) {
         for (const Writing& writing : kWritings) {
             for (const double seam : {0.0, 1.0, 3.1}) {
                 const Handle(Geom_Curve) turned
@@ -166,7 +136,7 @@ TEST(Overlaps, WholeEllipsesAndTheirSplines)
                 for (const double weld : {0.0, 2e-6}) {
                     SCOPED_TRACE(std::string(writing.name) + ", seam at " + std::to_string(seam));
                     const Crossed crossed = arranged({closed, written(turned, writing)}, weld);
-                    const std::size_t pieces = countShared(crossed);
+                    const std::size_t pieces = sharedPieces(crossed);
                     EXPECT_GE(pieces, 1U);
                     EXPECT_LE(pieces, 3U); // a spline of full multiplicity may be two curves
                     EXPECT_EQ(crossed.network.curves.size(), 2 * pieces);
@@ -219,7 +189,7 @@ TEST(Overlaps, SplinesThatApproximateACurveWithinTheWeldToleranceAreThatCurve)
         for (const bool whole : {false, true}) {
             SCOPED_TRACE(std::to_string(turn) + (whole ? " of the whole" : ""));
             const Crossed crossed = arranged({whole ? circle : arc, spline}, 2e-6);
-            const std::size_t shared = countShared(crossed);
+            const std::size_t shared = sharedPieces(crossed);
             // The circle's seam, on the spline if that runs past it, cuts both.
             EXPECT_EQ(shared, whole && turn > 5.9 ? 2U : 1U);
             EXPECT_EQ(crossed.network.curves.size(), shared * 2 + (whole ? (turn > 5.9 ? 1U : 2U) : 0U));
@@ -227,7 +197,7 @@ TEST(Overlaps, SplinesThatApproximateACurveWithinTheWeldToleranceAreThatCurve)
         }
         if (apart > 1e-8) {
             // Finer than they are apart: they cross, and each keeps its shape.
-            EXPECT_EQ(countShared(arranged({arc, spline}, 0.01 * apart)), 0U);
+            EXPECT_EQ(sharedPieces(arranged({arc, spline}, 0.01 * apart)), 0U);
         }
     }
 }
@@ -239,7 +209,7 @@ TEST(Overlaps, RingsThinnerThanTheToleranceStayRings)
     };
     const Crossed crossed = arranged({circle(3.0), circle(3.0 + 1e-6)}, 2e-6);
     EXPECT_EQ(crossed.network.curves.size(), 2U);
-    EXPECT_EQ(countShared(crossed), 0U);
+    EXPECT_EQ(sharedPieces(crossed), 0U);
 }
 
 namespace
@@ -348,6 +318,6 @@ TEST(Overlaps, SplinesThatAreEqualOnTheirFirstSpans)
     for (const double weld : {0.0, 2e-6}) {
         const Crossed crossed = arranged({spline(-2.0), spline(4.0)}, weld);
         
-        EXPECT_EQ(countShared(crossed), 1U);
+        EXPECT_EQ(sharedPieces(crossed), 1U);
     }
 }
