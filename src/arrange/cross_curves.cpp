@@ -228,8 +228,7 @@ public:
             report_.messages.push_back(
                 "Curves run beside each other so closely, first near "
                 + placeText(contacts_.unresolved.front())
-                + ", that crossings between them may have been missed; where the mesh is coarse"
-                  " there, it follows their chords.");
+                + ", that crossings between them may have been missed; check the result there.");
         }
     }
 
