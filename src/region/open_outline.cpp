@@ -373,7 +373,9 @@ private:
     {
         OutlineFlaw flaw = describeNothing(m.kind);
         flaw.places = {{points_[m.vertex], m.curveA}, {points_[m.vertex], m.curveB}};
-        const auto [a, b] = names(m.curveA, m.curveB);
+        const auto both = names(m.curveA, m.curveB);
+        const std::string& a = both.first;
+        const std::string& b = both.second;
         const bool itself = m.parentA == m.parentB || (!a.empty() && a == b);
         const auto say = [&](const char* one, const char* two, const char* nameless) {
             flaw.what = a.empty() ? nameless : itself ? a + one : a + two;
