@@ -41,7 +41,6 @@ namespace
 
 constexpr double kSmallestDistance = 1.0 / 64.0; ///< of the spacing, between a point and a vertex
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
-constexpr double kNeedleWedge = 15.0 * std::numbers::pi / 180.0;
 constexpr std::size_t kCheckpointEvery = 256;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -247,13 +246,13 @@ private:
     }
 
     /// Two constrained edges at v make less than a limit (radians) with kept triangles in between.
-    bool isAcuteApex(std::uint32_t v, double limit = kAcuteWedge) const
+    bool isAcuteApex(std::uint32_t v) const
     {
         bool acute = false;
         if (editor_.constMesh().origin[v] != VertexOrigin::SegmentSplit) {
             forEachWedge(
                 t_, v, [this](std::uint32_t triangle) { return editor_.isKept(triangle); },
-                [&](HalfEdge, HalfEdge, double angle) { acute = acute || angle < limit; });
+                [&](HalfEdge, HalfEdge, double angle) { acute = acute || angle < kAcuteWedge; });
         }
         return acute;
     }
@@ -416,9 +415,6 @@ private:
         const std::uint32_t a = t_.origin(edge);
         const std::uint32_t b = t_.destination(edge);
         const double whole = distance(t_.points[a], t_.points[b]);
-        if (isAcuteApex(a, kNeedleWedge) || isAcuteApex(b, kNeedleWedge)) {
-            return false;
-        }
         double fraction = 0.5;
         if (isAcuteApex(a) != isAcuteApex(b)) {
             fraction = nearestPowerOfTwo(0.5 * whole) / whole; // 0.35 .. 0.71
