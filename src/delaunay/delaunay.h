@@ -80,8 +80,10 @@ std::uint32_t insertPointAt(Triangulation& triangulation, Vec2 p, const Location
 HalfEdge flip(Triangulation& triangulation, HalfEdge edge);
 
 /// Lawson: flips edges that are not locally (constrained) Delaunay until all around the given
-/// half-edges are. Exact; ties stay as they are.
-void legalize(Triangulation& triangulation, std::vector<HalfEdge>& suspects);
+/// half-edges are. Exact; ties stay as they are. Appends the four corners around each flip to
+/// changed, if given.
+void legalize(Triangulation& triangulation, std::vector<HalfEdge>& suspects,
+              std::vector<std::uint32_t>* changed = nullptr);
 
 /// Every violated invariant as a sentence; empty when the triangulation is valid. Checks links,
 /// orientation, Euler's formula, the convex hull and, if asked, the exact (constrained) Delaunay

@@ -66,7 +66,8 @@ HalfEdge flip(Triangulation& t, HalfEdge edge)
     return bc;
 }
 
-void legalize(Triangulation& t, std::vector<HalfEdge>& suspects)
+void legalize(Triangulation& t, std::vector<HalfEdge>& suspects,
+              std::vector<std::uint32_t>* changed)
 {
     // A flip moves two of the four outer edges to other handles; all four are checked again, so
     // that a handle waiting in the list may come to name another edge, never lose one.
@@ -78,6 +79,10 @@ void legalize(Triangulation& t, std::vector<HalfEdge>& suspects)
         }
         const HalfEdge diagonal = flip(t, edge);
         const HalfEdge twin = t.twin(diagonal);
+        if (changed != nullptr) {
+            changed->insert(changed->end(), {t.origin(diagonal), t.apex(diagonal),
+                                             t.destination(diagonal), t.apex(twin)});
+        }
         suspects.push_back(Topology::next(diagonal));
         suspects.push_back(Topology::prev(diagonal));
         suspects.push_back(Topology::next(twin));

@@ -46,6 +46,8 @@ constexpr std::size_t kVertexPiece = 1 << 12;
 constexpr std::uint8_t kListed = 1;
 constexpr std::uint8_t kTouched = 2;
 constexpr std::uint8_t kReached = 4;
+/// Laplace steps do not help the star, in which nothing has changed since they were tried.
+constexpr std::uint8_t kSettled = 8;
 
 } // namespace
 
@@ -62,6 +64,7 @@ LocalImprovement::LocalImprovement(WorkingMesh& mesh, const SizeField& size,
 void LocalImprovement::improveAll()
 {
     scan_ = kScan;
+    changedOnly_ = false;
     startList();
     seedAll();
     run();
@@ -70,7 +73,13 @@ void LocalImprovement::improveAll()
 void LocalImprovement::improveAround(std::span<const std::uint32_t> vertices)
 {
     scan_ = kScan;
+    changedOnly_ = true;
     startList();
+    for (const std::uint32_t v : vertices) {
+        if (star_.gather(t_, v)) {
+            unsettleRing();
+        }
+    }
     seedAround(vertices);
     run();
 }
@@ -129,11 +138,11 @@ void LocalImprovement::run()
         if (report_.moves + report_.collapses == before) {
             break;
         }
+        changedOnly_ = changedOnly_ || round > 0;
         seedAgain();
         if (scan_ > kScanOfRest && isLarge(list_)) {
             scan_ = kScanOfRest;
-            startList();
-            seedAll();
+            seedAgain();
         }
     }
     startList();
@@ -146,9 +155,10 @@ void LocalImprovement::seedAgain()
     startList();
     if (isLarge(previous)) {
         seedAll();
-        return;
     }
-    seedAround(previous);
+    else {
+        seedAround(previous);
+    }
 }
 
 void LocalImprovement::seedAll()
@@ -187,6 +197,9 @@ bool LocalImprovement::isBad(std::uint32_t triangle) const
         return false;
     }
     const auto& v = t_.triangles[triangle].v;
+    if (changedOnly_ && (mark_[v[0]] & mark_[v[1]] & mark_[v[2]] & kSettled) != 0) {
+        return false;
+    }
     return squaredSineOfSmallest(t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]) < scan_;
 }
 
@@ -295,18 +308,20 @@ bool LocalImprovement::isFree(std::uint32_t v) const
 
 void LocalImprovement::smoothLaplace(std::uint32_t v)
 {
-    if (!isFree(v) || !star_.gather(t_, v)) {
+    if ((mark_[v] & kSettled) != 0) {
         return;
     }
-    const Vec2 old = t_.points[v];
-    const double now = star_.quality(old);
-    if (now >= kSmooth) {
-        return;
+    if (isFree(v) && star_.gather(t_, v)) {
+        const Vec2 old = t_.points[v];
+        const double now = star_.quality(old);
+        if (now < kSmooth) {
+            const Vec2 target = star_.average();
+            if (moveIfBetter(target, now) || moveIfBetter(midpoint(old, target), now)) {
+                return;
+            }
+        }
     }
-    const Vec2 target = star_.average();
-    if (!moveIfBetter(target, now)) {
-        moveIfBetter(midpoint(old, target), now);
-    }
+    mark_[v] |= kSettled;
 }
 
 bool LocalImprovement::moveIfBetter(Vec2 p, double now)
@@ -327,7 +342,25 @@ void LocalImprovement::legalizeStar()
         suspects_.push_back(star_.edge(i));
         suspects_.push_back(Topology::next(star_.edge(i)));
     }
-    legalize(t_, suspects_);
+    unsettleRing();
+    legalizeSuspects();
+}
+
+void LocalImprovement::legalizeSuspects()
+{
+    flipped_.clear();
+    legalize(t_, suspects_, &flipped_);
+    for (const std::uint32_t v : flipped_) {
+        mark_[v] &= static_cast<std::uint8_t>(~kSettled);
+    }
+}
+
+void LocalImprovement::unsettleRing()
+{
+    mark_[star_.center()] &= static_cast<std::uint8_t>(~kSettled);
+    for (int i = 0; i < star_.count(); ++i) {
+        mark_[star_.vertex(i)] &= static_cast<std::uint8_t>(~kSettled);
+    }
 }
 
 /// Steps in eight directions, shrinking, for stars that stay bad.
@@ -409,7 +442,8 @@ void LocalImprovement::tryCollapse(std::uint32_t v)
         mesh_.regionOfTriangle[t_.freeList[i]] = WorkingMesh::kOutside;
     }
     ++report_.collapses;
-    legalize(t_, suspects_);
+    unsettleRing();
+    legalizeSuspects();
 }
 
 } // namespace tessera

@@ -24,7 +24,7 @@ public:
 
     /// Works on all bad triangles of the mesh.
     void improveAll();
-    /// Works on the bad triangles at these vertices only.
+    /// Works on the bad triangles at these vertices only, which are new.
     void improveAround(std::span<const std::uint32_t> vertices);
 
     /// The kept triangles around all vertices that were worked on so far, each once. Every bad
@@ -51,6 +51,8 @@ private:
     void tryCollapse(std::uint32_t v);
     bool moveIfBetter(Vec2 p, double now);
     void legalizeStar();
+    void legalizeSuspects();
+    void unsettleRing();
 
     WorkingMesh& mesh_;
     Triangulation& t_;
@@ -58,11 +60,13 @@ private:
     OptimizeReport& report_;
     Execution& execution_;
     double scan_; ///< squared sine below which a triangle is bad
+    bool changedOnly_ = false; ///< no triangle is bad whose corners are all settled
     Star star_;
     std::vector<std::uint32_t> list_; ///< vertices to work on, each once
     std::vector<std::uint8_t> mark_;  ///< by vertex: bits
     std::vector<std::uint32_t> touched_;
     std::vector<HalfEdge> suspects_;
+    std::vector<std::uint32_t> flipped_; ///< corners around flips
 };
 
 } // namespace tessera
