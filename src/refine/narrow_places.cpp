@@ -77,8 +77,9 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
     std::vector<double> width(t.triangles.size(), kWide);
     for (std::uint32_t i = 0; i < width.size(); ++i) {
         if (editor.isKept(i) && t.isFinite(i)) {
+            // Splitting stops where the size at any corner makes the gap hopeless.
             const auto& v = t.triangles[i].v;
-            const double size = std::min({field[v[0]], field[v[1]], field[v[2]]});
+            const double size = std::max({field[v[0]], field[v[1]], field[v[2]]});
             const double w = widthOf(t, i);
             width[i] = w < limit * size ? w : kWide;
         }
