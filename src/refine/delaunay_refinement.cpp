@@ -11,7 +11,8 @@
 // Ruppert's argument for termination holds for any input angles.
 //
 // Guarantees: ends always, whatever rounding does. No constrained edge is split below
-// kSmallestPiece of the size there, so their pieces are finite in number. No point is inserted
+// kSmallestPiece of the size there, or a share of short subsegments around, so their pieces are
+// finite in number. No point is inserted
 // nearer to a vertex that it sees than kSmallestDistance of the spacing there: the length of
 // constrained edges and the distances that stood before, which new points inherit unchanged. All
 // distances in a convex part between constrained edges thus have one positive bound, and only
@@ -426,7 +427,7 @@ private:
         const Vec2 middle = midpoint(t_.points[a], t_.points[b]);
         const std::uint32_t record = editor_.findRecord(a, b);
         if (record == MeshEditor::kNone
-            || piece < leastPiece(editor_.constMesh(), editor_.constMesh().edges[record].useSet,
+            || piece < leastPiece(editor_, editor_.constMesh().edges[record].useSet, middle,
                                   size_.size(middle))) {
             return false;
         }

@@ -40,19 +40,24 @@ inline double hopelessGap(double minAngle)
     return 2.0 * std::tan(minAngle * std::numbers::pi / 180.0);
 }
 
+/// Where short subsegments demand short edges anyway, pieces may be as short as this share of them.
+inline constexpr double kShareOfSpacing = 0.5;
+
 /// The length below which pieces of a recovered subsegment are not split for the sake of its left
-/// side (0) or right side (1) where the field is size.
-inline double leastPiece(const WorkingMesh& mesh, std::uint32_t root, int side, double size)
+/// side (0) or right side (1) beside p, where the field is size.
+inline double leastPiece(const MeshEditor& editor, MeshEditor::RootSide on, Vec2 p, double size)
 {
-    const double least = kSmallestPiece * size;
-    const std::size_t index = 2 * std::size_t {root} + static_cast<std::size_t>(side);
-    const bool isFollowed = index < mesh.leastPiece.size() && mesh.leastPiece[index] > 0.0;
-    return isFollowed ? std::min(least, mesh.leastPiece[index]) : least;
+    const double least
+        = std::min(kSmallestPiece * size, kShareOfSpacing * editor.spacingBeside(on.root, p));
+    const std::vector<double>& followed = editor.constMesh().leastPiece;
+    const std::size_t index = 2 * std::size_t {on.root} + static_cast<std::size_t>(on.side);
+    const bool isFollowed = index < followed.size() && followed[index] > 0.0;
+    return isFollowed ? std::min(least, followed[index]) : least;
 }
 /// The same for either side.
-inline double leastPiece(const WorkingMesh& mesh, std::uint32_t root, double size)
+inline double leastPiece(const MeshEditor& editor, std::uint32_t root, Vec2 p, double size)
 {
-    return std::min(leastPiece(mesh, root, 0, size), leastPiece(mesh, root, 1, size));
+    return std::min(leastPiece(editor, {root, 0}, p, size), leastPiece(editor, {root, 1}, p, size));
 }
 
 /// Whether the apex of the triangle on a constrained edge is so near that splitting does not help;
@@ -61,15 +66,14 @@ inline bool isHopeless(const MeshEditor& editor, HalfEdge edge, double size, dou
 {
     const Triangulation& t = editor.triangulation();
     const double width = gapAbove(t, edge).width;
-    if (!(width < hopeless * kSmallestPiece * size)) {
+    const std::uint32_t apex = t.apex(edge);
+    if (!(width < hopeless * std::min(kSmallestPiece * size,
+                                      kShareOfSpacing * editor.spacingAt(apex)))) {
         return false;
-    }
-    if (editor.constMesh().leastPiece.empty()) {
-        return true;
     }
     const MeshEditor::RootSide on = editor.rootSideOf(edge);
     return on.root == MeshEditor::kNone
-        || width < hopeless * leastPiece(editor.constMesh(), on.root, on.side, size);
+        || width < hopeless * leastPiece(editor, on, t.points[apex], size);
 }
 
 } // namespace tessera

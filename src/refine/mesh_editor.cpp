@@ -15,6 +15,7 @@
 #include "predicates/predicates.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace tessera
@@ -24,6 +25,8 @@ namespace
 {
 constexpr int kWalkLimit = 20000;
 constexpr int kBisections = 40;
+constexpr double kSpacingGrowth = 0.5; ///< per distance from the end of a subsegment
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 } // namespace
 
 MeshEditor::MeshEditor(WorkingMesh& mesh)
@@ -47,6 +50,36 @@ MeshEditor::MeshEditor(WorkingMesh& mesh)
             rootEnds_[edge.useSet].b = edge.b;
         }
     }
+    shortestAt_.assign(mesh_.triangulation.points.size(), kInfinite);
+    for (const Ends& ends : rootEnds_) {
+        if (ends.a != kNone && ends.b != kNone) {
+            const double l = distance(mesh_.triangulation.points[ends.a],
+                                      mesh_.triangulation.points[ends.b]);
+            shortestAt_[ends.a] = std::min(shortestAt_[ends.a], l);
+            shortestAt_[ends.b] = std::min(shortestAt_[ends.b], l);
+        }
+    }
+}
+
+double MeshEditor::spacingBeside(std::uint32_t root, Vec2 p) const
+{
+    double spacing = kInfinite;
+    for (const std::uint32_t end : {rootEnds_[root].a, rootEnds_[root].b}) {
+        if (end != kNone) {
+            const double away = distance(mesh_.triangulation.points[end], p);
+            spacing = std::min(spacing, shortestAt_[end] + kSpacingGrowth * away);
+        }
+    }
+    return spacing;
+}
+
+double MeshEditor::spacingAt(std::uint32_t v) const
+{
+    const std::uint32_t root = rootOfVertex(v);
+    if (root != kNone) {
+        return spacingBeside(root, mesh_.triangulation.points[v]);
+    }
+    return v < shortestAt_.size() ? shortestAt_[v] : kInfinite;
 }
 
 void MeshEditor::setRoot(std::uint32_t vertex, std::uint32_t root)

@@ -78,6 +78,12 @@ public:
     std::uint32_t rootStart(std::uint32_t root) const { return rootEnds_[root].a; }
     std::uint32_t rootEnd(std::uint32_t root) const { return rootEnds_[root].b; }
 
+    /// The length of the shortest recovered subsegment at an end of the root, growing with the
+    /// distance from there, at a place beside it: what such short ones demand anyway.
+    double spacingBeside(std::uint32_t root, Vec2 p) const;
+    /// The same at a vertex; infinite if it is on no constrained edge.
+    double spacingAt(std::uint32_t v) const;
+
     struct RootSide
     {
         std::uint32_t root;
@@ -112,6 +118,7 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> recordOf_;
     std::vector<Ends> rootEnds_;
     std::vector<std::uint32_t> rootOfVertex_;
+    std::vector<double> shortestAt_; ///< by vertex: the shortest recovered subsegment, or infinite
     std::vector<HalfEdge> suspects_;
 };
 

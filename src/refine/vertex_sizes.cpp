@@ -131,7 +131,10 @@ double VertexSizes::leastSize(std::uint32_t v) const
     if (v < least_.size() && least_[v] > 0.0) {
         return std::min(least_[v], kSmallestPiece * field_[v]);
     }
-    return leastPiece(editor_.constMesh(), editor_.rootOfVertex(v), field_[v]);
+    const std::uint32_t root = editor_.rootOfVertex(v);
+    return root != MeshEditor::kNone
+        ? leastPiece(editor_, root, t_.points[v], field_[v])
+        : std::min(kSmallestPiece * field_[v], kShareOfSpacing * editor_.spacingAt(v));
 }
 
 void VertexSizes::lower(std::uint32_t vertex, double spacing)

@@ -276,6 +276,52 @@ TEST(Refine, NarrowWedgeIsFollowedToItsCornerIfTheShareSuffices)
     EXPECT_LE(followed.figures.triangles, 4 * left.figures.triangles);
 }
 
+TEST(Refine, AGapIsFollowedWhereTheSizeMakesItHopeless)
+{
+    const SegmentSize size({0, 0}, {0, 1}, 0.02, 0.3, 10.0);
+    // Where the size is small these are wide enough as they are.
+    for (const double width : {0.002, 0.003, 0.004}) {
+        Domain d;
+        d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+        d.addLine({0.1, 0.5}, {0.9, 0.5}, nullptr);
+        for (double x = 0.1; x < 0.8;) {
+            const double next = x + 0.8 * size.size({x, 0.5});
+            d.addLine({x, 0.5 + width}, {next, 0.5 + width}, nullptr);
+            x = next;
+        }
+        const Refined r = refineDomain(d, size);
+        expectValid(r);
+        EXPECT_GE(r.figures.minAngle, 30.0 - 1e-9) << width;
+    }
+}
+
+/// On the boundary beside an edge far shorter than the size, pieces are about as short as it is.
+TEST(Refine, ACornerWithAShortEdgeIsNoGap)
+{
+    const UniformSize size(0.1);
+    RefineOptions options;
+    options.optimizeFollows = true;
+    for (const double degrees : {89.0, 75.0, 65.0}) {
+        for (const double stub : {1e-3, 1e-5, 1e-8}) {
+            Domain d;
+            d.addPolygon({{0.45, 0}, {0.5, 0}, {0.6, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}, nullptr);
+            const double angle = degrees * M_PI / 180.0;
+            d.addLine({0.5, 0}, stub * Vec2 {std::cos(angle), std::sin(angle)} + Vec2 {0.5, 0},
+                      nullptr);
+            const Refined r = refineDomain(d, size, options);
+            expectValid(r);
+            for (const ConstrainedEdge& edge : r.mesh.edges) {
+                const Vec2 a = r.mesh.triangulation.points[edge.a];
+                const Vec2 b = r.mesh.triangulation.points[edge.b];
+                if (a == Vec2 {0.5, 0} || b == Vec2 {0.5, 0}) {
+                    EXPECT_LE(distance(a, b), 2.0 * stub) << degrees << " degrees";
+                }
+            }
+            EXPECT_LE(r.figures.triangles, 2000U) << degrees << " degrees, " << stub;
+        }
+    }
+}
+
 TEST(Refine, NarrowWedgeIsLeftIfItCostsTooMuch)
 {
     const UniformSize size(0.02);
