@@ -6,7 +6,9 @@
 // A round lists the vertices of bad triangles and of two rings around them and smooths them (guarded
 // Laplace steps, then a pattern search for the stars that stay bad); every second round merges
 // vertices of low degree or on short edges into a neighbor. After each move the star is made locally
-// Delaunay again by flips. The next round looks for bad triangles around the same vertices only.
+// Delaunay again by flips. The next round looks for bad triangles around the same vertices only, from
+// the third one on only where a vertex has moved or an edge has been flipped. A star in which nothing
+// has changed since Laplace steps failed is passed over.
 // Constrained vertices stay where they are.
 //
 // Guarantees: a move or merge is made only if it raises the smallest angle of the triangles that it
