@@ -33,20 +33,17 @@ MeshEditor::MeshEditor(WorkingMesh& mesh)
     : mesh_(mesh)
 {
     mesh_.regionOfTriangle.resize(mesh_.triangulation.triangles.size(), WorkingMesh::kOutside);
-    recordOf_.reserve(2 * mesh_.edges.size());
+    wholeRoots_.reserve(mesh_.edges.size());
     for (std::size_t i = 0; i < mesh_.edges.size(); ++i) {
         const ConstrainedEdge& edge = mesh_.edges[i];
-        recordOf_[keyOf(edge.a, edge.b)] = static_cast<std::uint32_t>(i);
+        enter(static_cast<std::uint32_t>(i));
         if (edge.useSet >= rootEnds_.size()) {
             rootEnds_.resize(edge.useSet + 1);
         }
-        if (mesh_.origin[edge.a] == VertexOrigin::SegmentSplit) {
-            setRoot(edge.a, edge.useSet);
-        }
-        else {
+        if (!isSplit(edge.a)) {
             rootEnds_[edge.useSet].a = edge.a;
         }
-        if (mesh_.origin[edge.b] != VertexOrigin::SegmentSplit) {
+        if (!isSplit(edge.b)) {
             rootEnds_[edge.useSet].b = edge.b;
         }
     }
@@ -82,12 +79,25 @@ double MeshEditor::spacingAt(std::uint32_t v) const
     return v < shortestAt_.size() ? shortestAt_[v] : kInfinite;
 }
 
-void MeshEditor::setRoot(std::uint32_t vertex, std::uint32_t root)
+/// Makes the record known to findRecord().
+void MeshEditor::enter(std::uint32_t record)
 {
-    if (vertex >= rootOfVertex_.size()) {
-        rootOfVertex_.resize(vertex + 1, kNone);
+    const ConstrainedEdge& edge = mesh_.edges[record];
+    const std::uint32_t last = std::max(edge.a, edge.b);
+    if (last >= pieces_.size()) {
+        pieces_.resize(std::max<std::size_t>(last + 1, triangulation().points.size()));
     }
-    rootOfVertex_[vertex] = root;
+    if (isSplit(edge.a)) {
+        pieces_[edge.a].root = edge.useSet;
+        pieces_[edge.a].after = record;
+    }
+    if (isSplit(edge.b)) {
+        pieces_[edge.b].root = edge.useSet;
+        pieces_[edge.b].before = record;
+    }
+    if (!isSplit(edge.a) && !isSplit(edge.b)) {
+        wholeRoots_[keyOf(edge.a, edge.b)] = record;
+    }
 }
 
 std::uint64_t MeshEditor::keyOf(std::uint32_t a, std::uint32_t b)
@@ -97,22 +107,24 @@ std::uint64_t MeshEditor::keyOf(std::uint32_t a, std::uint32_t b)
 
 std::uint32_t MeshEditor::findRecord(std::uint32_t a, std::uint32_t b) const
 {
-    const auto found = recordOf_.find(keyOf(a, b));
-    return found == recordOf_.end() ? kNone : found->second;
+    if (rootOfVertex(a) == kNone) {
+        std::swap(a, b);
+    }
+    if (rootOfVertex(a) == kNone) {
+        const auto found = wholeRoots_.find(keyOf(a, b));
+        return found == wholeRoots_.end() ? kNone : found->second;
+    }
+    const Pieces& pieces = pieces_[a];
+    if (pieces.before != kNone && mesh_.edges[pieces.before].a == b) {
+        return pieces.before;
+    }
+    return pieces.after != kNone && mesh_.edges[pieces.after].b == b ? pieces.after : kNone;
 }
 
 MeshEditor::RootSide MeshEditor::rootSideOf(HalfEdge edge) const
 {
-    const Triangulation& t = triangulation();
-    const std::uint32_t from = t.origin(edge);
-    const std::uint32_t to = t.destination(edge);
-    // A search of all edges is needed between two ends of subsegments only.
-    const std::uint32_t root = rootOfVertex(from) != kNone ? rootOfVertex(from) : rootOfVertex(to);
-    if (root != kNone && rootEnds_[root].a != kNone && rootEnds_[root].b != kNone) {
-        const Vec2 whole = t.points[rootEnds_[root].b] - t.points[rootEnds_[root].a];
-        return {root, dot(whole, t.points[to] - t.points[from]) > 0.0 ? 0 : 1};
-    }
-    const std::uint32_t record = findRecord(from, to);
+    const std::uint32_t from = triangulation().origin(edge);
+    const std::uint32_t record = findRecord(from, triangulation().destination(edge));
     if (record == kNone) {
         return {kNone, 0};
     }
@@ -333,15 +345,16 @@ std::uint32_t MeshEditor::insertOnEdge(HalfEdge edge, Vec2 p)
 void MeshEditor::replaceRecord(std::uint32_t record, std::uint32_t v, double parameter)
 {
     ConstrainedEdge second = mesh_.edges[record];
-    recordOf_.erase(keyOf(second.a, second.b));
+    if (!isSplit(second.a) && !isSplit(second.b)) {
+        wholeRoots_.erase(keyOf(second.a, second.b));
+    }
     mesh_.edges[record].b = v;
     mesh_.edges[record].tb = parameter;
     second.a = v;
     second.ta = parameter;
-    recordOf_[keyOf(mesh_.edges[record].a, v)] = record;
-    recordOf_[keyOf(v, second.b)] = static_cast<std::uint32_t>(mesh_.edges.size());
     mesh_.edges.push_back(second);
-    setRoot(v, second.useSet);
+    enter(record);
+    enter(static_cast<std::uint32_t>(mesh_.edges.size() - 1));
 }
 
 std::uint32_t MeshEditor::splitEdge(HalfEdge edge, double fraction)

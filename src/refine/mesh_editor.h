@@ -73,7 +73,7 @@ public:
     /// The recovered subsegment that a split vertex belongs to, and its ends.
     std::uint32_t rootOfVertex(std::uint32_t v) const
     {
-        return v < rootOfVertex_.size() ? rootOfVertex_[v] : kNone;
+        return v < pieces_.size() ? pieces_[v].root : kNone;
     }
     std::uint32_t rootStart(std::uint32_t root) const { return rootEnds_[root].a; }
     std::uint32_t rootEnd(std::uint32_t root) const { return rootEnds_[root].b; }
@@ -104,7 +104,19 @@ private:
         std::uint32_t b = kNone;
     };
 
-    void setRoot(std::uint32_t vertex, std::uint32_t root);
+    /// The records on either side of a split vertex.
+    struct Pieces
+    {
+        std::uint32_t root = kNone;
+        std::uint32_t before = kNone; ///< ends at the vertex
+        std::uint32_t after = kNone;  ///< begins there
+    };
+
+    bool isSplit(std::uint32_t vertex) const
+    {
+        return mesh_.origin[vertex] == VertexOrigin::SegmentSplit;
+    }
+    void enter(std::uint32_t record);
     static std::uint64_t keyOf(std::uint32_t a, std::uint32_t b);
     CurvePoint pointOnEdge(const ConstrainedEdge& edge, bool fromA, double fraction) const;
     std::uint32_t insertOnEdge(HalfEdge edge, Vec2 p);
@@ -115,9 +127,9 @@ private:
     void replaceRecord(std::uint32_t record, std::uint32_t v, double parameter);
 
     WorkingMesh& mesh_;
-    std::unordered_map<std::uint64_t, std::uint32_t> recordOf_;
+    std::unordered_map<std::uint64_t, std::uint32_t> wholeRoots_; ///< records between their ends
     std::vector<Ends> rootEnds_;
-    std::vector<std::uint32_t> rootOfVertex_;
+    std::vector<Pieces> pieces_; ///< by vertex
     std::vector<double> shortestAt_; ///< by vertex: the shortest recovered subsegment, or infinite
     std::vector<HalfEdge> suspects_;
 };
