@@ -177,6 +177,8 @@ private:
         require(options_.minAngle >= 0.0 && options_.minAngle <= 33.0,
                 "The smallest angle must lie between 0 and 33 degrees.");
         require(positive(options_.maxArea), "The largest area must be positive.");
+        require(positive(options_.narrowShare),
+                "The share of triangles for narrow gaps must be a finite number of at least 0.");
         require(std::isfinite(options_.weld), "The weld tolerance must be a length.");
         require(options_.order == 1 || options_.order == 2, "The element order must be 1 or 2.");
     }
@@ -421,6 +423,7 @@ private:
         refineOptions_.minAngle = options_.minAngle;
         refineOptions_.maxArea = options_.maxArea;
         refineOptions_.freezeBoundary = options_.freezeBoundary;
+        refineOptions_.narrowShare = options_.narrowShare;
         refineOptions_.optimizeFollows = options_.optimize;
         for (const Region& region : regions_.regions) {
             refineOptions_.regionMaxArea.push_back(region.maxArea);
@@ -431,6 +434,7 @@ private:
         }
         RefineReport refined = refine(working_, size, refineOptions_, execution_);
         result_.report.unreached = std::move(refined.unreached);
+        tell(refined.messages);
         watch_.lap(result_.report.seconds.refine);
     }
 

@@ -41,6 +41,9 @@ struct MeshOptions
     bool refine = true;    ///< false: no interior points, straight segments not sampled
     /// No new points on straight curves, on others only those that size and curvature ask for.
     bool freezeBoundary = false;
+    /// Triangles that may be spent on gaps far narrower than the size, as a multiple of the others;
+    /// 0 leaves them coarse. See RefineOptions::narrowShare.
+    double narrowShare = kNarrowShare;
     bool optimize = true;
     LocalSizes sizes {};   ///< what asks for sizes besides size; curves by their ids in the input
 };
@@ -74,7 +77,7 @@ struct MeshReport
     } count;
     double weld = 0.0;        ///< the tolerance used
     std::size_t welded = 0;   ///< end points joined by it to others, or to curves
-    std::vector<std::string> messages; ///< for the user: holes by even-odd, welds, dropped parts
+    std::vector<std::string> messages; ///< for the user: holes by even-odd, welds, narrow gaps, ...
     StageSeconds seconds;
 };
 

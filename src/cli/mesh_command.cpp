@@ -39,6 +39,7 @@ struct MeshArguments: RunOptions
     std::optional<double> growth;
     std::optional<double> minAngle;
     std::optional<double> maxArea;
+    std::optional<double> narrowGaps;
     std::optional<int> threads;
     int order = 1;
     RoleLists roles;
@@ -79,6 +80,12 @@ void addOptions(CLI::App& command, MeshArguments& a)
     command.add_flag("--freeze-boundary", a.freezeBoundary,
                      "No new nodes on straight segments; on curves only what size and curvature "
                      "ask for");
+    command
+        .add_option("--narrow-gaps", a.narrowGaps,
+                    fmt::format("Triangles that may be spent on gaps far narrower than the size, as "
+                                "a multiple of the others; 0 leaves them coarse; default {}",
+                                kNarrowShare))
+        ->type_name("SHARE");
     command.add_option("--threads", a.threads,
                        "Threads to use, 1 to 1024; default: as many as there are cores. The result "
                        "is the same");
@@ -125,6 +132,7 @@ MeshOptions meshOptions(const MeshArguments& a)
     options.refine = !a.noRefine;
     options.optimize = !a.noOptimize;
     options.freezeBoundary = a.freezeBoundary;
+    options.narrowShare = notNegative(a.narrowGaps, "--narrow-gaps", options.narrowShare);
     options.memoryLimit = static_cast<double>(availableMemoryBytes());
     return options;
 }

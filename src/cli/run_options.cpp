@@ -58,6 +58,16 @@ double positive(const std::optional<double>& value, const char* option, double o
     return value.value_or(otherwise);
 }
 
+double notNegative(const std::optional<double>& value, const char* option, double otherwise)
+{
+    if (value && !(*value >= 0.0 && std::isfinite(*value))) {
+        throw Error(ErrorKind::InvalidOption,
+                    fmt::format("{} is {}; it must be a finite number of 0 or more.", option,
+                                *value));
+    }
+    return value.value_or(otherwise);
+}
+
 void requireValidWeld(const RunOptions& options)
 {
     if (options.weld && !(*options.weld >= 0.0 && std::isfinite(*options.weld))) {

@@ -45,6 +45,9 @@ void addRunOptions(CLI::App& command, RunOptions& options);
 /// was not given.
 double positive(const std::optional<double>& value, const char* option, double otherwise = 0.0);
 
+/// The same of a number that may be 0.
+double notNegative(const std::optional<double>& value, const char* option, double otherwise);
+
 /// Error(InvalidOption) if the weld tolerance is negative or not finite.
 void requireValidWeld(const RunOptions& options);
 

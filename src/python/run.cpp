@@ -82,6 +82,7 @@ void defineRun(py::module_& module)
         .def_readwrite("refine", &MeshOptions::refine)
         .def_readwrite("optimize", &MeshOptions::optimize)
         .def_readwrite("freeze_boundary", &MeshOptions::freezeBoundary)
+        .def_readwrite("narrow_gaps", &MeshOptions::narrowShare)
         .def_readwrite("sizes", &MeshOptions::sizes);
 
     module.def("mesh", &runMesh, py::arg("input"), py::arg("options"), py::arg("execution"),

@@ -11,13 +11,16 @@
 
 #include "refine/narrow_places.h"
 
+#include "base/number_text.h"
 #include "refine/gaps.h"
 #include "refine/vertex_sizes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace tessera
@@ -35,21 +38,30 @@ constexpr double kPerPoint
     = 2.0 * std::numbers::pi * kDensity / (VertexSizes::kGrowth * VertexSizes::kGrowth);
 /// What is left of the width is at least this: apexes met later are not much nearer.
 constexpr double kMargin = 0.25;
+/// A mesh that is large anyway is not doubled for narrow places.
+constexpr double kMostForNarrowPlaces = 5e5;
 
-/// The distance between the constrained edge of a triangle and its apex; infinite if there is no
-/// such edge, or more than one: then there is a corner and no gap.
-double widthOf(const Triangulation& t, std::uint32_t triangle)
+/// The constrained edge of a triangle; kDead if there is none, or more than one: then there is a
+/// corner and no gap.
+HalfEdge baseOf(const Triangulation& t, std::uint32_t triangle)
 {
     HalfEdge base = Topology::kDead;
     for (std::uint32_t side = 0; side < 3; ++side) {
         const HalfEdge edge = Topology::halfEdge(triangle, side);
         if (t.isConstrained(edge)) {
             if (base != Topology::kDead) {
-                return std::numeric_limits<double>::infinity();
+                return Topology::kDead;
             }
             base = edge;
         }
     }
+    return base;
+}
+
+/// The distance between the constrained edge of a triangle and its apex; infinite without a base.
+double widthOf(const Triangulation& t, std::uint32_t triangle)
+{
+    const HalfEdge base = baseOf(t, triangle);
     if (base == Topology::kDead) {
         return std::numeric_limits<double>::infinity();
     }
@@ -57,6 +69,42 @@ double widthOf(const Triangulation& t, std::uint32_t triangle)
     const Vec2 apex = t.points[t.apex(base)];
     return std::min({gapAbove(t, base).width, distance(apex, t.points[t.origin(base)]),
                      distance(apex, t.points[t.destination(base)])});
+}
+
+/// Halfway between the apex and the nearest point of the base, of a triangle that has a width.
+Vec2 middleOf(const Triangulation& t, std::uint32_t triangle)
+{
+    const HalfEdge base = baseOf(t, triangle);
+    const Vec2 a = t.points[t.origin(base)];
+    const Vec2 along = t.points[t.destination(base)] - a;
+    const double foot = gapAbove(t, base).foot;
+    return midpoint(foot > 0.0 ? a + std::min(foot, 1.0) * along : a, t.points[t.apex(base)]);
+}
+
+double costOf(std::span<const NarrowPlace> places)
+{
+    return std::accumulate(places.begin(), places.end(), 0.0,
+                           [](double sum, const NarrowPlace& place) { return sum + place.cost; });
+}
+
+std::string narrowestOf(std::span<const NarrowPlace> places)
+{
+    const auto narrowest
+        = std::min_element(places.begin(), places.end(),
+                           [](const auto& a, const auto& b) { return a.width < b.width; });
+    return "the narrowest is " + numberText(narrowest->width, 2) + " wide at "
+        + placeText(narrowest->middle) + ".";
+}
+
+/// Rounded to two digits.
+double roughly(double value)
+{
+    return std::strtod(numberText(value, 2).c_str(), nullptr);
+}
+double roughlyAtLeast(double value)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return std::ceil(value / unit) * unit;
 }
 
 /// Its inverse is the mean of 1 / w where w goes from a to b linearly.
@@ -90,7 +138,8 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
         if (width[first] == kWide || seen[first] != 0) {
             continue;
         }
-        NarrowPlace place {{first}, 0.0};
+        NarrowPlace place {{first}, 0.0, width[first], {}};
+        std::uint32_t narrowest = first;
         seen[first] = 1;
         double depth = 0.0; // log of the size over the width
         const auto sizeAt = [&](std::uint32_t triangle) {
@@ -100,6 +149,9 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
         for (std::size_t i = 0; i < place.triangles.size(); ++i) {
             const std::uint32_t triangle = place.triangles[i];
             depth = std::max(depth, std::log(sizeAt(triangle) / width[triangle]));
+            if (width[triangle] < width[narrowest]) {
+                narrowest = triangle;
+            }
             for (std::uint32_t side = 0; side < 3; ++side) {
                 const HalfEdge h = Topology::halfEdge(triangle, side);
                 if (t.isConstrained(h)) {
@@ -128,11 +180,62 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
             }
         }
         place.cost += kPerPoint * depth;
+        place.width = width[narrowest];
+        place.middle = middleOf(t, narrowest);
         places.push_back(std::move(place));
     }
     std::stable_sort(places.begin(), places.end(),
                      [](const auto& a, const auto& b) { return a.cost < b.cost; });
     return places;
+}
+
+NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, double narrowShare)
+{
+    double left = std::min(narrowShare * others, kMostForNarrowPlaces);
+    std::size_t followed = 0;
+    while (followed < places.size() && places[followed].cost <= left) {
+        left -= places[followed++].cost;
+    }
+    return {std::move(places), followed, others};
+}
+
+std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice)
+{
+    const std::span<const NarrowPlace> followed(choice.places.data(), choice.followed);
+    const auto left = std::span<const NarrowPlace>(choice.places).subspan(choice.followed);
+    const double spent = costOf(followed);
+    std::vector<std::string> messages;
+    if (spent > choice.others) {
+        messages.push_back("Gaps far narrower than the size take most of the triangles; "
+                           + narrowestOf(followed)
+                           + " Close them with a weld tolerance, or leave them coarse with narrow"
+                             " gaps = 0.");
+    }
+    if (!left.empty()) {
+        std::size_t payable = 0;
+        double further = 0.0;
+        while (payable < left.size()
+               && spent + further + left[payable].cost <= kMostForNarrowPlaces) {
+            further += left[payable++].cost;
+        }
+        std::string text = "Gaps far narrower than the size are left coarse, with small angles; "
+            + narrowestOf(left) + " Close them with a weld tolerance";
+        if (payable == 0) {
+            text += ": to divide them finely takes more than "
+                + numberText(kMostForNarrowPlaces)
+                + " triangles, the most that is spent on such gaps.";
+        }
+        else {
+            const std::string which = payable == left.size()
+                ? "them"
+                : std::to_string(payable) + " of " + std::to_string(left.size());
+            text += ", or divide " + which + " finely with narrow gaps = "
+                + numberText(roughlyAtLeast(1.0001 * (spent + further) / choice.others))
+                + ", which takes about " + numberText(roughly(further)) + " triangles more.";
+        }
+        messages.push_back(std::move(text));
+    }
+    return messages;
 }
 
 std::vector<std::pair<std::uint32_t, double>> follow(const NarrowPlace& place, MeshEditor& editor)

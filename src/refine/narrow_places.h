@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tessera
@@ -17,7 +18,24 @@ struct NarrowPlace
 {
     std::vector<std::uint32_t> triangles; ///< of the triangulation of the boundary
     double cost; ///< triangles that a graded mesh with good angles has there and around, estimated
+    double width; ///< where it is narrowest
+    Vec2 middle;  ///< between its sides there
 };
+
+/// Which of the narrow places are followed, cheapest first, and at what cost.
+struct NarrowChoice
+{
+    std::vector<NarrowPlace> places; ///< as findNarrowPlaces() gives them
+    std::size_t followed;            ///< the first of them
+    double others;                   ///< triangles of the rest of the mesh, estimated
+};
+
+/// The first places that narrowShare, >= 0, pays for, and kMostForNarrowPlaces at most.
+NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, double narrowShare);
+
+/// What the user is told: where the places that are followed take more triangles than the others,
+/// and where places are left, each with the narrowest place and what to do. At most two messages.
+std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice);
 
 /// All such places of the kept regions, cheapest first. field, sizes: by vertex, the size field and
 /// the size that triangles have if no such place is followed.

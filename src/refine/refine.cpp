@@ -61,6 +61,10 @@ RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOption
         throw Error(ErrorKind::InvalidOption,
                     "The smallest angle must be between 0 and 33 degrees.");
     }
+    if (!(options.narrowShare >= 0.0 && std::isfinite(options.narrowShare))) {
+        throw Error(ErrorKind::InvalidOption,
+                    "The share of triangles for narrow gaps must be a finite number of at least 0.");
+    }
     RefineReport report;
     const BorderRecords border(mesh, execution);
     MeshEditor editor(mesh);

@@ -53,6 +53,9 @@ struct Unreached
 /// narrow places that RefineOptions::narrowShare pays for.
 inline constexpr double kSmallestPiece = 1.0 / 64.0;
 
+/// Default of RefineOptions::narrowShare.
+inline constexpr double kNarrowShare = 2.0;
+
 struct RefineOptions
 {
     double minAngle = 30.0;        ///< degrees, 0..33
@@ -64,8 +67,8 @@ struct RefineOptions
     bool optimizeFollows = false;
     double maxTriangles = 0.0; ///< more are refused; 0: no limit
     /// Triangles that may be spent on gaps too narrow for kSmallestPiece, as a share of the others;
-    /// cheapest first, each gap entirely or not at all.
-    double narrowShare = 2.0;
+    /// cheapest first, each gap entirely or not at all. At least 0, which leaves all of them coarse.
+    double narrowShare = kNarrowShare;
 };
 
 struct RefineReport
@@ -73,6 +76,8 @@ struct RefineReport
     std::size_t interiorPoints = 0;
     std::size_t segmentSplits = 0;
     std::vector<Unreached> unreached; ///< empty if optimizeFollows
+    /// For the user: narrow gaps that take most of the triangles, or are left.
+    std::vector<std::string> messages;
 };
 
 /// Inserts interior points (paper, Algorithm 1, step 3) by the size field, then refines by Delaunay

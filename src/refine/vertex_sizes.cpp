@@ -55,8 +55,6 @@ constexpr double kEqualArmsOfSharp = 1.02;
 constexpr double kSharpWedge = std::numbers::pi / 6.0;
 /// Triangles beside each piece of the constrained edges, as sizes grow on both sides of it.
 constexpr double kPerPiece = 3.0;
-/// A mesh that is large anyway is not doubled for narrow places.
-constexpr double kMostForNarrowPlaces = 5e5;
 } // namespace
 
 VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const RefineOptions& options)
@@ -79,7 +77,7 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
             field_.push_back(v == Topology::kInfinite ? 0.0 : fieldAt(t_.points[v]));
         }
         measure();
-        if (round == 0 && followNarrowPlaces()) {
+        if (round == 0 && followNarrowPlaces(report)) {
             measure();
         }
         requireFewTriangles(leastPieces(), options_);
@@ -100,28 +98,26 @@ void VertexSizes::measure()
 }
 
 /// Chooses the narrow places that the share of triangles for them suffices for.
-bool VertexSizes::followNarrowPlaces()
+bool VertexSizes::followNarrowPlaces(RefineReport& report)
 {
     if (options_.freezeBoundary || options_.narrowShare <= 0.0) {
         return false;
     }
-    const std::vector<NarrowPlace> places = findNarrowPlaces(editor_, field_, h_, options_.minAngle);
+    std::vector<NarrowPlace> places = findNarrowPlaces(editor_, field_, h_, options_.minAngle);
     if (places.empty()) {
         return false;
     }
     const double others
         = estimateTriangles(editor_.constMesh(), size_, options_) + kPerPiece * leastPieces();
-    double left = std::min(options_.narrowShare * others, kMostForNarrowPlaces);
+    const NarrowChoice choice
+        = chooseNarrowPlaces(std::move(places), others, options_.narrowShare);
     least_.assign(t_.points.size(), 0.0);
-    for (const NarrowPlace& place : places) {
-        left -= place.cost;
-        if (left < 0.0) {
-            break;
-        }
-        for (const auto& [v, piece] : follow(place, editor_)) {
+    for (std::size_t i = 0; i < choice.followed; ++i) {
+        for (const auto& [v, piece] : follow(choice.places[i], editor_)) {
             least_[v] = least_[v] > 0.0 ? std::min(least_[v], piece) : piece;
         }
     }
+    report.messages = describeNarrowPlaces(choice);
     return !editor_.constMesh().leastPiece.empty();
 }
 

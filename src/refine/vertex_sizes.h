@@ -67,7 +67,7 @@ private:
     bool isInHopelessGap(std::uint32_t triangle) const;
     void measureGaps();
     void measure();
-    bool followNarrowPlaces();
+    bool followNarrowPlaces(RefineReport& report);
     double leastSize(std::uint32_t v) const;
     void limitGrowth(double growth);
     double leastPieces() const;

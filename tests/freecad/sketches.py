@@ -41,6 +41,16 @@ def plate(document, name="Plate"):
     return sketch
 
 
+def slit(document, name="Slit"):
+    """A square of side 10 with two lines inside, 0.002 apart."""
+    sketch = new_sketch(document, name)
+    add_rectangle(sketch, 0.0, 0.0, 10.0, 10.0)
+    for y in (5.0, 5.002):
+        add_polygon(sketch, [(3.0, y), (7.0, y)], closed=False)
+    document.recompute()
+    return sketch
+
+
 def write_sizes(path):
     """A .vtu file over the plate with the sizes 0.8 at its left edge and 8 at its right one, as the
     point data "size", beside others."""

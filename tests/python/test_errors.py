@@ -33,6 +33,10 @@ NAN = float("nan")
         {"max_area": NAN},
         {"weld": -1},
         {"weld": NAN},
+        {"narrow_gaps": -1},
+        {"narrow_gaps": NAN},
+        {"narrow_gaps": float("inf")},
+        {"narrow_gaps": "all"},
         {"order": 3},
         {"order": "2"},
         {"fill": "evenodd"},
@@ -63,7 +67,8 @@ def test_bad_option(options):
         tessera.mesh(SQUARE, **options)
     name = next(iter(options))
     assert isinstance(caught.value, tessera.Error)
-    if name in ("size", "min_size", "max_area", "weld", "order", "fill", "recovery", "time_limit"):
+    named = ("size", "min_size", "max_area", "weld", "order", "fill", "recovery", "time_limit")
+    if name in (*named, "narrow_gaps"):
         assert name in str(caught.value)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Number of triangles, frozen boundaries, threads, and what the report says of quality."""
+"""Number of triangles, frozen boundaries, narrow gaps, threads, and what the report says of quality."""
 
 import numpy as np
 import pytest
@@ -31,6 +31,18 @@ def test_frozen_boundaries_keep_their_segments():
     on_boundary = np.isin(np.asarray(mesh.nodes)[:, :2], (0.0, 10.0)).any(axis=1)
     assert np.count_nonzero(on_boundary) == 4
     assert len(mesh.triangles) > 50
+
+
+def test_narrow_gaps_take_the_share_that_they_may():
+    points = [*SQUARE, (3, 5), (7, 5), (3, 5.002), (7, 5.002)]
+    slit = (points, [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (6, 7)])
+    coarse = tessera.mesh(slit, size=0.5, narrow_gaps=0)
+    assert coarse.report["messages"] == []
+    fine = tessera.mesh(slit, size=0.5, narrow_gaps=40)
+    assert len(fine.triangles) > 2 * len(coarse.triangles)
+    (message,) = fine.report["messages"]
+    assert "0.002 wide at" in message and "narrow gaps = 0" in message
+    assert tessera.mesh(SQUARE, size=0.5, narrow_gaps=40).report["messages"] == []
 
 
 def test_threads_change_nothing():

@@ -11,6 +11,8 @@ from tessera.sources import Prepared, prepare
 
 Execution = native.Execution
 VERSION = native.version
+#: Default of narrow_gaps.
+NARROW_GAPS = native.MeshOptions().narrow_gaps
 
 _FILLS = {
     "even-odd": native.FillRule.even_odd,
@@ -51,6 +53,7 @@ def mesh(
     refine=True,
     optimize=True,
     freeze_boundary=False,
+    narrow_gaps=NARROW_GAPS,
     threads=None,
     stages=None,
     time_limit=None,
@@ -102,6 +105,8 @@ def mesh(
     optimize      False: points are not moved afterwards.
     freeze_boundary  True: no new nodes on straight curves, on others only what size and curvature
                   ask for.
+    narrow_gaps   triangles that may be spent on gaps far narrower than the size, as a multiple of
+                  the others, >= 0; 0 leaves them coarse.
     threads       to use, 1 .. 1024; None: as many as there are cores. The mesh is the same.
     stages        folder for a picture of each stage.
     time_limit    seconds.
@@ -128,6 +133,7 @@ def mesh(
     options.refine = bool(refine)
     options.optimize = bool(optimize)
     options.freeze_boundary = bool(freeze_boundary)
+    options.narrow_gaps = _not_negative("narrow_gaps", narrow_gaps)
     if progress is not None and not callable(progress):
         raise InvalidOptionError("progress must be a function of (fraction, stage).")
     run = Execution() if execution is None else execution

@@ -22,6 +22,10 @@ const std::string kSquare = "4 2 0 0\n1 0 0\n2 10 0\n3 10 10\n4 0 10\n"
 const std::string kNested = "8 2 0 0\n1 0 0\n2 10 0\n3 10 10\n4 0 10\n5 3 3\n6 6 3\n7 6 6\n8 3 6\n"
                             "8 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n"
                             "5 5 6 2\n6 6 7 2\n7 7 8 2\n8 8 5 2\n0\n";
+/// A square and in it two lines 0.002 apart.
+const std::string kSlit = "8 2 0 0\n1 0 0\n2 10 0\n3 10 10\n4 0 10\n5 3 5\n6 7 5\n7 3 5.002\n"
+                          "8 7 5.002\n6 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n"
+                          "5 5 6 2\n6 7 8 2\n0\n";
 /// Two squares that overlap in a third of each.
 const std::string kTwo = "POLYGON((0 0,6 0,6 6,0 6,0 0))\nPOLYGON((4 0,10 0,10 6,4 6,4 0))\n";
 
@@ -67,6 +71,26 @@ TEST_F(MeshCommand, FrozenBoundariesKeepTheirSegments)
     const Outcome outcome = program.run({"mesh", "a.poly", "-o", "b.poly", "--size", "1",
                                          "--freeze-boundary", "--quiet"});
     EXPECT_EQ(outcome.status, 0);
+}
+
+TEST_F(MeshCommand, NarrowGapsTakeTheShareThatTheyMay)
+{
+    program.give("a.poly", kSlit);
+    const json coarse = mesh({"a.poly", "--size", "0.5", "--narrow-gaps", "0"});
+    EXPECT_TRUE(coarse["messages"].empty());
+    const json fine = mesh({"a.poly", "--size", "0.5", "--narrow-gaps", "40"});
+    EXPECT_GT(fine["triangles"], 2 * coarse["triangles"].get<int>());
+    ASSERT_EQ(fine["messages"].size(), 1U);
+    const Outcome outcome = program.run(
+        {"mesh", "a.poly", "-o", "b.vtu", "--size", "0.5", "--narrow-gaps", "40"});
+    const std::string message = fine["messages"][0];
+    EXPECT_EQ(outcome.out.substr(0, message.size() + 1), message + "\n");
+    const json welded
+        = mesh({"a.poly", "--size", "0.5", "--narrow-gaps", "40", "--weld", "0.01"});
+    EXPECT_LT(welded["triangles"], 2 * coarse["triangles"].get<int>());
+    for (const json& text : welded["messages"]) {
+        EXPECT_EQ(text.get<std::string>().find("narrow"), std::string::npos) << text;
+    }
 }
 
 TEST_F(MeshCommand, ReportHasAllKeys)
@@ -249,6 +273,9 @@ TEST_F(MeshCommand, BadOptions)
         program.refuse(with({"--time-limit", bad}), "--time-limit");
     }
     program.refuse(with({"--weld", "-1"}), "--weld");
+    for (const char* bad : {"-1", "nan", "inf"}) {
+        program.refuse(with({"--narrow-gaps", bad}), "--narrow-gaps");
+    }
     program.refuse(with({"--growth", "0"}), "growth");
     program.refuse(with({"--growth", "nan"}), "growth");
     program.refuse(with({"--min-angle", "40"}), "angle");
@@ -520,7 +547,7 @@ TEST_F(MeshCommand, VersionAndHelp)
     for (const char* option :
          {"--size", "--min-size", "--growth", "--order", "--fill", "--boundary", "--constraint",
           "--ignore", "--min-angle", "--max-area", "--no-refine", "--no-optimize", "--weld", "--recovery",
-          "--time-limit", "--stages", "--report", "--quiet"}) {
+          "--narrow-gaps", "--time-limit", "--stages", "--report", "--quiet"}) {
         EXPECT_NE(help.find(option), std::string::npos) << option;
     }
 }

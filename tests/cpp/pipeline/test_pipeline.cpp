@@ -214,6 +214,9 @@ TEST(Pipeline, RefusesBadOptions)
     EXPECT_EQ(kindOfError(network, {.growth = 0.0}), ErrorKind::InvalidOption);
     EXPECT_EQ(kindOfError(network, {.minAngle = 40.0}), ErrorKind::InvalidOption);
     EXPECT_EQ(kindOfError(network, {.order = 3}), ErrorKind::InvalidOption);
+    for (const double share : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
+        EXPECT_EQ(kindOfError(network, {.narrowShare = share}), ErrorKind::InvalidOption);
+    }
     for (const double size : {1e-4, 1e-9, 1e-300}) {
         EXPECT_EQ(kindOfError(network, {.size = size, .memoryLimit = 1e9}), ErrorKind::TooLarge);
     }

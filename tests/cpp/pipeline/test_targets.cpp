@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <initializer_list>
+#include <string>
 #include <vector>
 
 namespace tessera
@@ -14,26 +17,28 @@ namespace tessera
 namespace
 {
 
+void addLine(CurveNetwork& network, PointId a, PointId b, Role role)
+{
+    NetworkCurve curve;
+    curve.start = a;
+    curve.end = b;
+    curve.operand = OperandId(0U);
+    curve.role = role;
+    network.curves.push_back(curve);
+}
+
 /// A square of side 10 with a round hole, and a line inside.
 CurveNetwork washer()
 {
     CurveNetwork network;
     network.operands.push_back({"washer"});
-    const auto line = [&](PointId a, PointId b, Role role) {
-        NetworkCurve curve;
-        curve.start = a;
-        curve.end = b;
-        curve.operand = OperandId(0U);
-        curve.role = role;
-        network.curves.push_back(curve);
-    };
     const PointId corner[4] = {network.addPoint({0, 0}), network.addPoint({10, 0}),
                                network.addPoint({10, 10}), network.addPoint({0, 10})};
     for (int i = 0; i < 4; ++i) {
-        line(corner[i], corner[(i + 1) % 4], Role::Boundary);
+        addLine(network, corner[i], corner[(i + 1) % 4], Role::Boundary);
     }
     const PointId start = network.addPoint({1, 2});
-    line(start, network.addPoint({9, 1.5}), Role::Constraint);
+    addLine(network, start, network.addPoint({9, 1.5}), Role::Constraint);
     NetworkCurve circle;
     circle.geometry = makeCircleArc({5, 6}, 2.0, 0.0, 2.0 * std::numbers::pi);
     circle.start = network.addPoint(circle.geometry->point(circle.geometry->first()));
@@ -48,6 +53,38 @@ MeshResult meshed(const MeshOptions& options, int threads = 1)
     Execution execution;
     execution.setThreads(threads);
     return meshNetwork(washer(), options, execution);
+}
+
+/// A square of side 10 with pairs of lines inside, so far apart.
+MeshResult meshedWithSlits(std::initializer_list<double> widths, double narrowShare)
+{
+    CurveNetwork network;
+    network.operands.push_back({"slit"});
+    const PointId corner[4] = {network.addPoint({0, 0}), network.addPoint({10, 0}),
+                               network.addPoint({10, 10}), network.addPoint({0, 10})};
+    for (int i = 0; i < 4; ++i) {
+        addLine(network, corner[i], corner[(i + 1) % 4], Role::Boundary);
+    }
+    double y = 5.0;
+    for (const double width : widths) {
+        for (const double side : {y, y + width}) {
+            const PointId start = network.addPoint({3, side});
+            addLine(network, start, network.addPoint({7, side}), Role::Constraint);
+        }
+        y += 2.0;
+    }
+    MeshOptions options;
+    options.size = 0.5;
+    options.narrowShare = narrowShare;
+    Execution execution;
+    return meshNetwork(network, options, execution);
+}
+
+/// The number behind the words in the text; NaN without them.
+double numberAfter(const std::string& words, const std::string& text)
+{
+    const std::size_t at = text.find(words);
+    return at == std::string::npos ? std::nan("") : std::strtod(&text[at + words.size()], nullptr);
 }
 
 } // namespace
@@ -137,6 +174,60 @@ TEST(FrozenBoundary, StraightCurvesStayWhole)
     // The inside is filled all the same, and what is bad beside long edges is told.
     EXPECT_GT(made.mesh.triangles.size(), 400U);
     EXPECT_FALSE(made.report.unreached.empty());
+}
+
+TEST(NarrowGaps, ThatTakeMostOfTheTrianglesAreTold)
+{
+    const MeshResult coarse = meshedWithSlits({0.002}, 0.0);
+    EXPECT_TRUE(coarse.report.messages.empty());
+    EXPECT_FALSE(coarse.report.unreached.empty());
+    const MeshResult fine = meshedWithSlits({0.002}, 40.0);
+    EXPECT_TRUE(fine.report.unreached.empty());
+    EXPECT_GT(fine.mesh.triangles.size(), 2 * coarse.mesh.triangles.size());
+    ASSERT_EQ(fine.report.messages.size(), 1U);
+    const std::string& text = fine.report.messages[0];
+    EXPECT_NE(text.find("most of the triangles; the narrowest is 0.002 wide at"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find(", 5.001)"), std::string::npos) << text;
+    const double x = numberAfter("wide at (", text);
+    EXPECT_GE(x, 3.0);
+    EXPECT_LE(x, 7.0);
+    EXPECT_NE(text.find("narrow gaps = 0"), std::string::npos) << text;
+    EXPECT_TRUE(meshedWithSlits({}, 40.0).report.messages.empty());
+}
+
+TEST(NarrowGaps, ThatAreLeftAreToldWithTheShareTheyNeed)
+{
+    const MeshResult left = meshedWithSlits({0.002, 0.001}, 1.0);
+    ASSERT_EQ(left.report.messages.size(), 1U);
+    const std::string& text = left.report.messages[0];
+    EXPECT_NE(text.find("left coarse, with small angles; the narrowest is 0.001 wide at"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find(", 7.0005)"), std::string::npos) << text;
+    EXPECT_NE(text.find("divide them finely"), std::string::npos) << text;
+    const double share = numberAfter("narrow gaps = ", text);
+    ASSERT_GT(share, 1.0);
+    const MeshResult followed = meshedWithSlits({0.002, 0.001}, share);
+    ASSERT_EQ(followed.report.messages.size(), 1U);
+    EXPECT_NE(followed.report.messages[0].find("most of the triangles"), std::string::npos);
+    EXPECT_TRUE(followed.report.unreached.empty());
+    // A smaller share leaves the narrower one.
+    const MeshResult half = meshedWithSlits({0.002, 0.001}, 0.9 * share);
+    ASSERT_EQ(half.report.messages.size(), 2U);
+    EXPECT_NE(half.report.messages[0].find("0.002 wide"), std::string::npos);
+    EXPECT_NE(half.report.messages[1].find("0.001 wide"), std::string::npos);
+}
+
+TEST(NarrowGaps, ThatTakeTooMuchAreToldWithoutAShare)
+{
+    const MeshResult one = meshedWithSlits({1e-9}, 40.0);
+    ASSERT_EQ(one.report.messages.size(), 1U);
+    EXPECT_NE(one.report.messages[0].find("takes more than 500000 triangles"), std::string::npos);
+    const MeshResult two = meshedWithSlits({0.002, 1e-9}, 1.0);
+    ASSERT_EQ(two.report.messages.size(), 1U);
+    EXPECT_NE(two.report.messages[0].find("divide 1 of 2 finely"), std::string::npos)
+        << two.report.messages[0];
 }
 
 TEST(Threads, TheMeshIsTheSameForAnyNumber)

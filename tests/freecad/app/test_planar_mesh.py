@@ -46,6 +46,7 @@ def test_the_format_of_files(document):
         "Count": "App::PropertyIntegerConstraint",
         "MaxArea": "App::PropertyArea",
         "FreezeBoundary": "App::PropertyBool",
+        "NarrowGaps": "App::PropertyFloatConstraint",
         "GrowthRate": "App::PropertyFloatConstraint",
         "ElementOrder": "App::PropertyIntegerConstraint",
         "Fill": "App::PropertyEnumeration",
@@ -132,6 +133,19 @@ def test_frozen_boundary(document):
     recompute(obj)
     groups = {obj.FemMesh.getGroupName(g): g for g in obj.FemMesh.Groups}
     assert len(obj.FemMesh.getGroupElements(groups["Plate_Geometry0"])) > 1
+
+
+def test_narrow_gaps(document):
+    obj = mesh_of(sketches.slit(document), size=0.5, narrow_gaps=40.0)
+    (message,) = obj.Messages
+    assert "0.002 wide at" in message
+    fine = obj.Triangles
+    obj.NarrowGaps = 0.0
+    recompute(obj)
+    assert obj.Triangles < fine / 2
+    assert obj.Messages == []
+    obj.NarrowGaps = -1.0  # FreeCAD keeps it above its bound
+    assert obj.NarrowGaps == 0.0
 
 
 def test_threads_that_the_user_prefers(document, monkeypatch):

@@ -182,6 +182,29 @@ def test_fields_that_hold_everywhere(document, output, tmp_path):
     assert mesh.MeshRevision == revision
 
 
+def test_narrow_gaps(document, output):
+    panel = window.open_panel(sketches.slit(document))
+    panel.set_size("0.5 mm")
+    field = panel.widget("narrowGapsField")
+    field.setValue(40.0)
+    panel.mesh()
+    assert "0.002 wide at" in panel.message and "narrow gaps = 0" in panel.message
+    (mesh,) = window.planar_meshes(document)
+    fine = mesh.Triangles
+    window.picture(output / "narrow-gaps.png")
+    field.setValue(0.0)
+    del field
+    panel.mesh()
+    assert mesh.Triangles < fine / 2
+    assert "narrow" not in panel.message
+    panel.press("Ok")
+    revision = mesh.MeshRevision
+    panel = window.double_click(mesh)
+    assert panel.widget("narrowGapsField").text() == "Leave coarse"
+    panel.press("Ok")
+    assert (mesh.NarrowGaps, mesh.MeshRevision) == (0.0, revision)
+
+
 def test_roles(document, output):
     sketch = sketches.plate(document)
     sketches.add_polygon(sketch, [(20, 5), (20, 55)], closed=False)

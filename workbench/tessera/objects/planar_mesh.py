@@ -6,6 +6,7 @@ The class path and the property names are stored in users' files: they never cha
 
 import FreeCAD
 
+from tessera.meshing import NARROW_GAPS
 from tessera.objects.size_properties import (
     SIZE_PROPERTIES,
     apply_local_sizes,
@@ -119,6 +120,18 @@ PROPERTIES = (
             "Straight edges stay whole; curved ones are divided by size and curvature only",
         ),
         None,
+        _NORMAL,
+    ),
+    (
+        "NarrowGaps",
+        "App::PropertyFloatConstraint",
+        "Mesh",
+        QT_TRANSLATE_NOOP(
+            "App::Property",
+            "Triangles that may be spent on gaps far narrower than the size, as a multiple of the"
+            " others; 0: such gaps are left coarse",
+        ),
+        (NARROW_GAPS, 0.0, 1e6, 1.0),
         _NORMAL,
     ),
     (
@@ -344,6 +357,7 @@ def request_of(obj):
         count=obj.Count,
         max_area=obj.MaxArea.Value,
         freeze_boundary=obj.FreezeBoundary,
+        narrow_gaps=obj.NarrowGaps,
         growth=obj.GrowthRate,
         order=obj.ElementOrder,
         fill=obj.Fill,
@@ -381,6 +395,7 @@ def apply_request(obj, request):
         "Count": request.count,
         "MaxArea": request.max_area,
         "FreezeBoundary": request.freeze_boundary,
+        "NarrowGaps": request.narrow_gaps,
         "GrowthRate": request.growth,
         "ElementOrder": request.order,
         "Fill": request.fill,
@@ -405,6 +420,7 @@ def apply_request(obj, request):
         "Count": current.count == request.count,
         "MaxArea": current.max_area == request.max_area,
         "FreezeBoundary": current.freeze_boundary == request.freeze_boundary,
+        "NarrowGaps": current.narrow_gaps == request.narrow_gaps,
         "GrowthRate": current.growth == request.growth,
         "ElementOrder": current.order == request.order,
         "Fill": current.fill == request.fill,

@@ -37,6 +37,7 @@ class SizesForm(QtCore.QObject):
         self._min_size = NumberField(self.form.minSizeField)
         self._chord_error = NumberField(self.form.chordErrorField)
         self._max_area = AreaField(self.form.maxAreaField)
+        self._narrow_gaps = NumberField(self.form.narrowGapsField, is_length=False)
         self._default = 0.0
         self._table = self.form.sizeTable
         self._name_columns()
@@ -92,6 +93,7 @@ class SizesForm(QtCore.QObject):
         self._max_area.set(request.max_area)
         form.curvatureField.setValue(request.curvature)
         form.gapField.setValue(request.gap)
+        self._narrow_gaps.set(request.narrow_gaps)
         form.expressionField.setText(request.expression)
         form.fileField.setText(request.size_file)
         form.arrayField.setEditText(request.size_array)
@@ -109,6 +111,7 @@ class SizesForm(QtCore.QObject):
             "max_area": self._max_area.get(),
             "curvature": self.form.curvatureField.value(),
             "gap": self.form.gapField.value(),
+            "narrow_gaps": self._narrow_gaps.get(),
             "expression": self.form.expressionField.text(),
             "size_file": self.form.fileField.text(),
             "size_array": self.form.arrayField.currentText(),

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Tuple
 
 import tessera
+from tessera.meshing import NARROW_GAPS
 
 #: Values of the property Fill and what the mesher calls them.
 FILLS = {
@@ -52,6 +53,7 @@ class MeshRequest:
     count: int = 0  #: triangles to aim for instead, by finding the size; 0: size decides
     max_area: float = 0.0  #: of a triangle, mm^2; 0: no bound
     freeze_boundary: bool = False  #: no new nodes on straight edges
+    narrow_gaps: float = NARROW_GAPS  #: share of triangles for gaps far narrower than the size
     growth: float = 0.3
     order: int = 1
     fill: str = "Even-odd"  #: a key of FILLS
@@ -94,6 +96,7 @@ class MeshRequest:
             count=self.count or None,
             max_area=self.max_area or None,
             freeze_boundary=self.freeze_boundary,
+            narrow_gaps=self.narrow_gaps,
             growth=self.growth,
             order=self.order,
             fill=FILLS[self.fill],
