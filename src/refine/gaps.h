@@ -31,6 +31,22 @@ inline Gap gapAbove(const Triangulation& t, HalfEdge edge)
             foot};
 }
 
+/// The same where both sides of a gap are divided alike, so that rounding decides whether the foot is
+/// on the edge: at its ends too, unless there is a corner.
+inline double widthAbove(const Triangulation& t, HalfEdge edge)
+{
+    constexpr double kRounding = 1e-6;
+    const Gap gap = gapAbove(t, edge);
+    const bool atOrigin = std::fabs(gap.foot) < kRounding;
+    const bool atEnd = std::fabs(gap.foot - 1.0) < kRounding;
+    if ((atOrigin && !t.isConstrained(Topology::prev(edge)))
+        || (atEnd && !t.isConstrained(Topology::next(edge)))) {
+        return distance(t.points[t.apex(edge)],
+                        t.points[atOrigin ? t.origin(edge) : t.destination(edge)]);
+    }
+    return gap.width;
+}
+
 /// The widest hopeless gap as a multiple of the least length down to which constrained edges are
 /// split: pieces are up to twice as long, and a triangle of this height above one of them has an
 /// angle below minAngle (degrees) unless its apex is above the middle, so that splitting the edges
@@ -65,7 +81,7 @@ inline double leastPiece(const MeshEditor& editor, std::uint32_t root, Vec2 p, d
 inline bool isHopeless(const MeshEditor& editor, HalfEdge edge, double size, double hopeless)
 {
     const Triangulation& t = editor.triangulation();
-    const double width = gapAbove(t, edge).width;
+    const double width = widthAbove(t, edge);
     const std::uint32_t apex = t.apex(edge);
     if (!(width < hopeless * std::min(kSmallestPiece * size,
                                       kShareOfSpacing * editor.spacingAt(apex)))) {

@@ -195,7 +195,7 @@ def test_narrow_gaps(document, output):
     field.setValue(0.0)
     del field
     panel.mesh()
-    assert mesh.Triangles < fine / 2
+    assert mesh.Triangles < fine / 4
     assert "narrow" not in panel.message
     panel.press("Ok")
     revision = mesh.MeshRevision
