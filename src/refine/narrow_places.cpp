@@ -8,10 +8,14 @@
 // 2 integral 4 / (sqrt(3) (w + g y)²) dy = 4.6 / (g w) per length, L / w times 23 for g = 0.2; a
 // single point about 2 pi 4 / (sqrt(3) g²) log(h / w). Where sizes are small anyway (h, without the
 // narrow places), 1 / h is taken off. On drawings and maps the meshes grew by 0.05 to 0.8 of that.
+//
+// Between two straight lines that meet at less than 60 degrees small angles stay near the corner,
+// whatever is spent: such places come last, and end where gaps of other kinds begin.
 
 #include "refine/narrow_places.h"
 
 #include "base/number_text.h"
+#include "refine/acute_arms.h"
 #include "refine/gaps.h"
 #include "refine/vertex_sizes.h"
 
@@ -132,13 +136,18 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
             width[i] = w < limit * size ? w : kWide;
         }
     }
+    const AcuteArms arms(editor);
+    std::vector<std::uint8_t> isBetweenArms(width.size(), 0);
+    for (std::uint32_t i = 0; i < width.size(); ++i) {
+        isBetweenArms[i] = width[i] < kWide && arms.areAround(baseOf(t, i)) ? 1 : 0;
+    }
     std::vector<NarrowPlace> places;
     std::vector<std::uint8_t> seen(width.size(), 0);
     for (std::uint32_t first = 0; first < width.size(); ++first) {
         if (width[first] == kWide || seen[first] != 0) {
             continue;
         }
-        NarrowPlace place {{first}, 0.0, width[first], {}};
+        NarrowPlace place {{first}, 0.0, width[first], {}, isBetweenArms[first] != 0};
         std::uint32_t narrowest = first;
         seen[first] = 1;
         double depth = 0.0; // log of the size over the width
@@ -158,7 +167,7 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
                     continue;
                 }
                 const std::uint32_t next = Topology::triangleOf(t.twin(h));
-                if (width[next] == kWide) {
+                if (width[next] == kWide || isBetweenArms[next] != isBetweenArms[first]) {
                     continue;
                 }
                 const double w = logarithmicMean(width[triangle], width[next]);
@@ -184,19 +193,58 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
         place.middle = middleOf(t, narrowest);
         places.push_back(std::move(place));
     }
-    std::stable_sort(places.begin(), places.end(),
-                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+        return a.isBetweenArms != b.isBetweenArms ? b.isBetweenArms : a.cost < b.cost;
+    });
     return places;
 }
 
 NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, double narrowShare)
 {
     double left = std::min(narrowShare * others, kMostForNarrowPlaces);
-    std::size_t followed = 0;
-    while (followed < places.size() && places[followed].cost <= left) {
-        left -= places[followed++].cost;
+    std::vector<NarrowPlace> followed;
+    std::vector<NarrowPlace> rest;
+    for (NarrowPlace& place : places) {
+        const bool isPayable = place.cost <= left;
+        left -= isPayable ? place.cost : 0.0;
+        (isPayable ? followed : rest).push_back(std::move(place));
     }
-    return {std::move(places), followed, others};
+    const std::size_t count = followed.size();
+    std::move(rest.begin(), rest.end(), std::back_inserter(followed));
+    return {std::move(followed), count, others};
+}
+
+std::vector<std::uint32_t> besideFollowed(const NarrowChoice& choice, const MeshEditor& editor)
+{
+    const Triangulation& t = editor.triangulation();
+    std::vector<std::uint8_t> isLeft(t.triangles.size(), 0);
+    struct Reached
+    {
+        std::uint32_t triangle;
+        double width; ///< of the place that is followed
+    };
+    std::vector<Reached> reached;
+    for (std::size_t i = 0; i < choice.places.size(); ++i) {
+        for (const std::uint32_t triangle : choice.places[i].triangles) {
+            if (i < choice.followed) {
+                reached.push_back({triangle, widthOf(t, triangle)});
+            }
+            else {
+                isLeft[triangle] = 1;
+            }
+        }
+    }
+    std::vector<std::uint32_t> beside;
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const Reached from = reached[i];
+        const std::uint32_t next = Topology::triangleOf(t.twin(baseOf(t, from.triangle)));
+        if (isLeft[next] != 0 && widthOf(t, next) >= from.width) {
+            isLeft[next] = 0;
+            beside.push_back(next);
+            reached.push_back({next, from.width});
+        }
+    }
+    return beside;
 }
 
 std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice)
@@ -238,7 +286,8 @@ std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice)
     return messages;
 }
 
-std::vector<std::pair<std::uint32_t, double>> follow(const NarrowPlace& place, MeshEditor& editor)
+std::vector<std::pair<std::uint32_t, double>> follow(std::span<const std::uint32_t> triangles,
+                                                     MeshEditor& editor)
 {
     const Triangulation& t = editor.triangulation();
     WorkingMesh& mesh = editor.mesh();
@@ -255,7 +304,7 @@ std::vector<std::pair<std::uint32_t, double>> follow(const NarrowPlace& place, M
         least = least > 0.0 ? std::min(least, piece) : piece;
     };
     std::vector<std::pair<std::uint32_t, double>> vertices;
-    for (const std::uint32_t triangle : place.triangles) {
+    for (const std::uint32_t triangle : triangles) {
         const double piece = kMargin * widthOf(t, triangle);
         if (!(piece > 0.0)) {
             continue;

@@ -20,31 +20,39 @@ struct NarrowPlace
     double cost; ///< triangles that a graded mesh with good angles has there and around, estimated
     double width; ///< where it is narrowest
     Vec2 middle;  ///< between its sides there
+    bool isBetweenArms; ///< of one corner below 60 degrees, where small angles stay in any case
 };
 
-/// Which of the narrow places are followed, cheapest first, and at what cost.
+/// Which of the narrow places are followed and at what cost.
 struct NarrowChoice
 {
-    std::vector<NarrowPlace> places; ///< as findNarrowPlaces() gives them
-    std::size_t followed;            ///< the first of them
+    std::vector<NarrowPlace> places; ///< first those that are followed
+    std::size_t followed;            ///< how many of them
     double others;                   ///< triangles of the rest of the mesh, estimated
 };
 
-/// The first places that narrowShare, >= 0, pays for, and kMostForNarrowPlaces at most.
+/// The places that narrowShare, >= 0, and at most kMostForNarrowPlaces pay for one after the other.
 NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, double narrowShare);
 
 /// What the user is told: where the places that are followed take more triangles than the others,
 /// and where places are left, each with the narrowest place and what to do. At most two messages.
 std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice);
 
-/// All such places of the kept regions, cheapest first. field, sizes: by vertex, the size field and
-/// the size that triangles have if no such place is followed.
+/// All such places of the kept regions, cheapest first, but those between the arms of a corner last.
+/// field, sizes: by vertex, the size field and the size that triangles have if no such place is
+/// followed.
 /// Precondition: no interior vertex yet. Complexity: O(n log n) for n triangles.
 std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<const double> field,
                                           std::span<const double> sizes, double minAngle);
 
-/// Lets refinement divide the constrained edges around a place as finely as it is narrow, by
-/// mesh.leastPiece; returns the vertices concerned with that length.
-std::vector<std::pair<std::uint32_t, double>> follow(const NarrowPlace& place, MeshEditor& editor);
+/// Triangles of the places that are left with a constrained edge in common with places that are
+/// followed and no wider, and so on: small sizes reach them anyway, so that they cost little, and if
+/// one side only were divided they would be full of bad triangles.
+std::vector<std::uint32_t> besideFollowed(const NarrowChoice& choice, const MeshEditor& editor);
+
+/// Lets refinement divide the constrained edges around the triangles of a place as finely as it is
+/// narrow, by mesh.leastPiece; returns the vertices concerned with that length.
+std::vector<std::pair<std::uint32_t, double>> follow(std::span<const std::uint32_t> triangles,
+                                                     MeshEditor& editor);
 
 } // namespace tessera

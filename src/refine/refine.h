@@ -67,7 +67,8 @@ struct RefineOptions
     bool optimizeFollows = false;
     double maxTriangles = 0.0; ///< more are refused; 0: no limit
     /// Triangles that may be spent on gaps too narrow for kSmallestPiece, as a share of the others;
-    /// cheapest first, each gap entirely or not at all. At least 0, which leaves all of them coarse.
+    /// cheapest first, but those between the arms of a corner below 60 degrees last; each gap
+    /// entirely, or only where its neighbors are followed. At least 0, which leaves all of them coarse.
     double narrowShare = kNarrowShare;
 };
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "refine/mesh_editor.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace tessera
+{
+
+/// Which straight lines of constrained edges beside kept triangles meet at less than 60 degrees.
+/// Between two of them small angles stay near the corner, however finely they are divided.
+class AcuteArms
+{
+public:
+    /// Complexity: O(n log n + sum of squared degrees) for n constrained edges.
+    explicit AcuteArms(const MeshEditor& editor);
+
+    /// Whether the origin and destination of a constrained edge and the apex of its triangle lie on
+    /// the arms of one such corner.
+    bool areAround(HalfEdge base) const;
+
+private:
+    using Lines = std::pair<std::uint32_t, std::uint32_t>;
+    struct Corner
+    {
+        Lines lines;
+        std::uint32_t vertex;
+    };
+    struct Arm
+    {
+        Vec2 along;
+        std::uint32_t edge;
+    };
+
+    std::uint32_t lineOf(std::uint32_t edge);
+    std::uint32_t lineAt(HalfEdge h) const;
+    void measureArms(std::uint32_t v);
+    void joinAt(std::uint32_t v);
+    bool meetAcutely(Lines lines, Vec2 p, Vec2 q) const;
+
+    const MeshEditor& editor_;
+    const Triangulation& t_;
+    std::vector<std::uint32_t> line_; ///< by constrained edge: one that stands for its line
+    std::vector<Corner> corners_;     ///< sorted by lines
+    std::vector<Arm> arms_;
+};
+
+} // namespace tessera
