@@ -48,16 +48,18 @@ AcuteArms::AcuteArms(const MeshEditor& editor)
 
 bool AcuteArms::areAround(HalfEdge base) const
 {
-    const std::uint32_t line = lineAt(base);
-    const Vec2 middle = midpoint(t_.points[t_.origin(base)], t_.points[t_.destination(base)]);
+    const std::uint32_t baseLine = lineAt(base);
     const std::uint32_t apex = t_.apex(base);
-    bool found = false;
+    std::vector<std::uint32_t> lines;
     t_.forEachAround(apex, [&](HalfEdge h) {
-        if (!found && t_.isConstrained(h)) {
-            found = meetAcutely(std::minmax(line, lineAt(h)), middle, t_.points[apex]);
+        if (t_.isConstrained(h)) {
+            lines.push_back(lineAt(h));
         }
     });
-    return found;
+    return std::any_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
+        const bool endsAtApex = std::count(lines.begin(), lines.end(), line) == 1;
+        return meetAcutely(std::minmax(baseLine, line), base, endsAtApex);
+    });
 }
 
 std::uint32_t AcuteArms::lineOf(std::uint32_t edge)
@@ -115,14 +117,20 @@ void AcuteArms::joinAt(std::uint32_t v)
     }
 }
 
-bool AcuteArms::meetAcutely(Lines lines, Vec2 p, Vec2 q) const
+bool AcuteArms::meetAcutely(Lines lines, HalfEdge base, bool endsAtApex) const
 {
+    const Vec2 a = t_.points[t_.origin(base)];
+    const Vec2 b = t_.points[t_.destination(base)];
+    const Vec2 apex = t_.points[t_.apex(base)];
     auto corner = std::lower_bound(corners_.begin(), corners_.end(), lines,
                                    [](const Corner& a, const Lines& b) { return a.lines < b; });
     for (; corner != corners_.end() && corner->lines == lines; ++corner) {
-        const Vec2 u = p - t_.points[corner->vertex];
-        const Vec2 w = q - t_.points[corner->vertex];
-        if (dot(u, w) > kCosine * length(u) * length(w)) {
+        const Vec2 at = t_.points[corner->vertex];
+        const Vec2 u = midpoint(a, b) - at;
+        const Vec2 w = apex - at;
+        const double arm = length(w);
+        const bool isBeyond = endsAtApex && length(u) > arm;
+        if (dot(u, w) > kCosine * length(u) * arm && !isBeyond) {
             return true;
         }
     }

@@ -18,8 +18,8 @@ public:
     /// Complexity: O(n log n + sum of squared degrees) for n constrained edges.
     explicit AcuteArms(const MeshEditor& editor);
 
-    /// Whether the origin and destination of a constrained edge and the apex of its triangle lie on
-    /// the arms of one such corner.
+    /// Whether a constrained edge and the apex of its triangle lie on the arms of one such corner,
+    /// and the middle of the edge no farther from it than the apex if an arm ends there.
     bool areAround(HalfEdge base) const;
 
 private:
@@ -39,7 +39,7 @@ private:
     std::uint32_t lineAt(HalfEdge h) const;
     void measureArms(std::uint32_t v);
     void joinAt(std::uint32_t v);
-    bool meetAcutely(Lines lines, Vec2 p, Vec2 q) const;
+    bool meetAcutely(Lines lines, HalfEdge base, bool endsAtApex) const;
 
     const MeshEditor& editor_;
     const Triangulation& t_;

@@ -18,9 +18,11 @@
 #include "refine/acute_arms.h"
 #include "refine/gaps.h"
 #include "refine/vertex_sizes.h"
+#include "refine/wedges.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <cstdlib>
 #include <limits>
 #include <numbers>
@@ -73,6 +75,24 @@ double widthOf(const Triangulation& t, std::uint32_t triangle)
     const Vec2 apex = t.points[t.apex(base)];
     return std::min({gapAbove(t, base).width, distance(apex, t.points[t.origin(base)]),
                      distance(apex, t.points[t.destination(base)])});
+}
+
+/// Where a constrained edge meets another one of its triangle at less than 60 degrees: how far their
+/// other ends are apart; else 0.
+double widthAtCorner(const Triangulation& t, HalfEdge edge)
+{
+    for (const HalfEdge open : {Topology::next(edge), Topology::prev(edge)}) {
+        const HalfEdge arm = open == Topology::next(edge) ? Topology::prev(edge)
+                                                          : Topology::next(edge);
+        const Vec2 corner = t.points[t.apex(open)];
+        const Vec2 u = t.points[t.origin(open)] - corner;
+        const Vec2 w = t.points[t.destination(open)] - corner;
+        if (!t.isConstrained(open) && t.isConstrained(arm)
+            && std::fabs(std::atan2(cross(u, w), dot(u, w))) < kAcuteWedge) {
+            return length(u - w);
+        }
+    }
+    return 0.0;
 }
 
 /// Halfway between the apex and the nearest point of the base, of a triangle that has a width.
@@ -167,7 +187,7 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
                     continue;
                 }
                 const std::uint32_t next = Topology::triangleOf(t.twin(h));
-                if (width[next] == kWide || isBetweenArms[next] != isBetweenArms[first]) {
+                if (width[next] == kWide) {
                     continue;
                 }
                 const double w = logarithmicMean(width[triangle], width[next]);
@@ -182,7 +202,7 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
                         place.cost += kPerLength * l * std::clamp(share, 0.0, 1.0) * density;
                     }
                 }
-                if (seen[next] == 0) {
+                if (seen[next] == 0 && isBetweenArms[next] == isBetweenArms[first]) {
                     seen[next] = 1;
                     place.triangles.push_back(next);
                 }
@@ -214,37 +234,39 @@ NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, 
     return {std::move(followed), count, others};
 }
 
-std::vector<std::uint32_t> besideFollowed(const NarrowChoice& choice, const MeshEditor& editor)
+std::vector<FollowedTriangle> trianglesToFollow(const NarrowChoice& choice,
+                                                const MeshEditor& editor)
 {
     const Triangulation& t = editor.triangulation();
+    std::vector<FollowedTriangle> follow;
+    std::vector<std::uint8_t> isFollowed(t.triangles.size(), 0);
     std::vector<std::uint8_t> isLeft(t.triangles.size(), 0);
-    struct Reached
-    {
-        std::uint32_t triangle;
-        double width; ///< of the place that is followed
-    };
-    std::vector<Reached> reached;
     for (std::size_t i = 0; i < choice.places.size(); ++i) {
         for (const std::uint32_t triangle : choice.places[i].triangles) {
             if (i < choice.followed) {
-                reached.push_back({triangle, widthOf(t, triangle)});
+                follow.push_back({triangle, widthOf(t, triangle)});
             }
-            else {
-                isLeft[triangle] = 1;
+            (i < choice.followed ? isFollowed : isLeft)[triangle] = 1;
+        }
+    }
+    for (std::size_t i = 0; i < follow.size(); ++i) {
+        const FollowedTriangle from = follow[i];
+        for (std::uint32_t side = 0; side < 3; ++side) {
+            const HalfEdge edge = Topology::halfEdge(from.triangle, side);
+            const HalfEdge twin = t.twin(edge);
+            const std::uint32_t next = Topology::triangleOf(twin);
+            if (!t.isConstrained(edge) || !editor.isKept(next) || isFollowed[next] != 0) {
+                continue;
+            }
+            const bool isWider = isLeft[next] != 0 ? widthOf(t, next) >= from.width
+                                                   : widthAtCorner(t, twin) >= from.width;
+            if (isWider) {
+                isFollowed[next] = 1;
+                follow.push_back({next, from.width});
             }
         }
     }
-    std::vector<std::uint32_t> beside;
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-        const Reached from = reached[i];
-        const std::uint32_t next = Topology::triangleOf(t.twin(baseOf(t, from.triangle)));
-        if (isLeft[next] != 0 && widthOf(t, next) >= from.width) {
-            isLeft[next] = 0;
-            beside.push_back(next);
-            reached.push_back({next, from.width});
-        }
-    }
-    return beside;
+    return follow;
 }
 
 std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice)
@@ -286,7 +308,7 @@ std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice)
     return messages;
 }
 
-std::vector<std::pair<std::uint32_t, double>> follow(std::span<const std::uint32_t> triangles,
+std::vector<std::pair<std::uint32_t, double>> follow(std::span<const FollowedTriangle> triangles,
                                                      MeshEditor& editor)
 {
     const Triangulation& t = editor.triangulation();
@@ -304,8 +326,8 @@ std::vector<std::pair<std::uint32_t, double>> follow(std::span<const std::uint32
         least = least > 0.0 ? std::min(least, piece) : piece;
     };
     std::vector<std::pair<std::uint32_t, double>> vertices;
-    for (const std::uint32_t triangle : triangles) {
-        const double piece = kMargin * widthOf(t, triangle);
+    for (const auto& [triangle, width] : triangles) {
+        const double piece = kMargin * width;
         if (!(piece > 0.0)) {
             continue;
         }

@@ -45,14 +45,22 @@ std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice);
 std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<const double> field,
                                           std::span<const double> sizes, double minAngle);
 
-/// Triangles of the places that are left with a constrained edge in common with places that are
-/// followed and no wider, and so on: small sizes reach them anyway, so that they cost little, and if
-/// one side only were divided they would be full of bad triangles.
-std::vector<std::uint32_t> besideFollowed(const NarrowChoice& choice, const MeshEditor& editor);
+struct FollowedTriangle
+{
+    std::uint32_t triangle;
+    double width;
+};
 
-/// Lets refinement divide the constrained edges around the triangles of a place as finely as it is
-/// narrow, by mesh.leastPiece; returns the vertices concerned with that length.
-std::vector<std::pair<std::uint32_t, double>> follow(std::span<const std::uint32_t> triangles,
+/// The triangles of the places that are followed; and those of places that are left, or at acute
+/// corners, that have a constrained edge in common with one that is no wider, and so on: small sizes
+/// reach them anyway, so that they cost little, and if one side only were divided they would be full
+/// of bad triangles. Their widths are those of the place from which they were reached.
+std::vector<FollowedTriangle> trianglesToFollow(const NarrowChoice& choice,
+                                                const MeshEditor& editor);
+
+/// Lets refinement divide the constrained edges around these triangles down to a share of their
+/// widths, by mesh.leastPiece; returns the vertices concerned with that length.
+std::vector<std::pair<std::uint32_t, double>> follow(std::span<const FollowedTriangle> triangles,
                                                      MeshEditor& editor);
 
 } // namespace tessera

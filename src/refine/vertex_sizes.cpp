@@ -112,12 +112,7 @@ bool VertexSizes::followNarrowPlaces(RefineReport& report)
     const NarrowChoice choice
         = chooseNarrowPlaces(std::move(places), others, options_.narrowShare);
     least_.assign(t_.points.size(), 0.0);
-    std::vector<std::uint32_t> triangles = besideFollowed(choice, editor_);
-    for (std::size_t i = 0; i < choice.followed; ++i) {
-        const std::vector<std::uint32_t>& more = choice.places[i].triangles;
-        triangles.insert(triangles.end(), more.begin(), more.end());
-    }
-    for (const auto& [v, piece] : follow(triangles, editor_)) {
+    for (const auto& [v, piece] : follow(trianglesToFollow(choice, editor_), editor_)) {
         least_[v] = least_[v] > 0.0 ? std::min(least_[v], piece) : piece;
     }
     report.messages = describeNarrowPlaces(choice);

@@ -2,6 +2,7 @@
 
 #include "refine/narrow_places.h"
 
+#include "refine/acute_arms.h"
 #include "refine/domains.h"
 
 #include <gtest/gtest.h>
@@ -103,6 +104,25 @@ TEST(NarrowPlaces, ACornerOutsideTheKeptTrianglesDoesNotCount)
     }
 }
 
+TEST(NarrowPlaces, AnArmEndsWhereItBends)
+{
+    for (const double bend : {0.25, 0.6}) {
+        // A corner at x = 0.2 whose upper arm goes on less steeply from the bend.
+        Square square({{{0.2, 0.5}, {0.8, 0.5}},
+                       {{0.2, 0.5}, {bend, 0.5 + 0.002 * (bend - 0.2)}},
+                       {{bend, 0.5 + 0.002 * (bend - 0.2)}, {0.8, 0.5011}}});
+        const MeshEditor editor(square.mesh());
+        const Triangulation& t = editor.triangulation();
+        const auto vertexAt = [&](Vec2 p) {
+            return static_cast<std::uint32_t>(
+                std::find(t.points.begin() + 1, t.points.end(), p) - t.points.begin());
+        };
+        const HalfEdge base = t.findEdge(vertexAt({0.2, 0.5}), vertexAt({0.8, 0.5}));
+        ASSERT_EQ(t.points[t.apex(base)].x, bend);
+        EXPECT_EQ(AcuteArms(editor).areAround(base), bend > 0.5);
+    }
+}
+
 TEST(NarrowPlaces, WiderOnesBesideThoseThatAreFollowedAreFollowedToo)
 {
     for (const double upper : {0.0016, 0.0001}) {
@@ -111,17 +131,36 @@ TEST(NarrowPlaces, WiderOnesBesideThoseThatAreFollowedAreFollowedToo)
                        {{0.2, 0.5 + upper}, {0.8, 0.5 + upper}},
                        {{0.49, 0.4996}, {0.51, 0.4996}}});
         const MeshEditor editor(square.mesh());
-        std::vector<NarrowPlace> places = square.places(editor);
+        const std::vector<NarrowPlace> places = square.places(editor);
         ASSERT_EQ(places.size(), 2U);
-        EXPECT_LT(places[0].middle.y, 0.5);
-        const NarrowChoice choice {places, 1, 1000.0};
-        const std::vector<std::uint32_t> beside = besideFollowed(choice, editor);
-        EXPECT_EQ(beside.empty(), upper < 0.0004);
-        for (const std::uint32_t triangle : beside) {
-            EXPECT_EQ(std::count(places[1].triangles.begin(), places[1].triangles.end(), triangle),
+        ASSERT_LT(places[0].middle.y, 0.5);
+        const auto followed = trianglesToFollow({places, 1, 1000.0}, editor);
+        const std::size_t own = places[0].triangles.size();
+        ASSERT_GE(followed.size(), own);
+        EXPECT_EQ(followed.size() > own, upper > 0.0004);
+        for (std::size_t i = own; i < followed.size(); ++i) {
+            EXPECT_EQ(std::count(places[1].triangles.begin(), places[1].triangles.end(),
+                                 followed[i].triangle),
                       1);
+            EXPECT_NEAR(followed[i].width, 0.0004, 1e-9);
         }
     }
+}
+
+TEST(NarrowPlaces, AcuteCornersBesideThoseThatAreFollowedAreFollowedToo)
+{
+    // One triangle between two arms above the middle line.
+    Square square({{{0.2, 0.5}, {0.8, 0.5}},
+                   {{0.2, 0.5}, {0.8, 0.53}},
+                   {{0.49, 0.4996}, {0.51, 0.4996}}});
+    const MeshEditor editor(square.mesh());
+    const std::vector<NarrowPlace> places = square.places(editor);
+    ASSERT_EQ(places.size(), 1U);
+    const std::size_t own = places[0].triangles.size();
+    const auto followed = trianglesToFollow({places, 1, 1000.0}, editor);
+    ASSERT_EQ(followed.size(), own + 1);
+    EXPECT_NEAR(followed.back().width, 0.0004, 1e-9);
+    EXPECT_EQ(trianglesToFollow({places, 0, 1000.0}, editor).size(), 0U);
 }
 
 } // namespace
