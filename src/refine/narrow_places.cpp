@@ -156,6 +156,9 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
             width[i] = w < limit * size ? w : kWide;
         }
     }
+    if (std::all_of(width.begin(), width.end(), [](double w) { return w == kWide; })) {
+        return {};
+    }
     const AcuteArms arms(editor);
     std::vector<std::uint8_t> isBetweenArms(width.size(), 0);
     for (std::uint32_t i = 0; i < width.size(); ++i) {
