@@ -46,6 +46,8 @@ constexpr double kPerPoint
 constexpr double kMargin = 0.25;
 /// A mesh that is large anyway is not doubled for narrow places.
 constexpr double kMostForNarrowPlaces = 5e5;
+/// At most, for a share of 1, between the arms of corners: small angles remain there in any case.
+constexpr double kMostBetweenArms = 3e4;
 
 /// The constrained edge of a triangle; kDead if there is none, or more than one: then there is a
 /// corner and no gap.
@@ -111,6 +113,16 @@ double costOf(std::span<const NarrowPlace> places)
                            [](double sum, const NarrowPlace& place) { return sum + place.cost; });
 }
 
+/// The share that pays for these places.
+double shareFor(std::span<const NarrowPlace> places, double others)
+{
+    double betweenArms = 0.0;
+    for (const NarrowPlace& place : places) {
+        betweenArms += place.isBetweenArms ? place.cost : 0.0;
+    }
+    return 1.0001 * std::max(costOf(places) / others, betweenArms / kMostBetweenArms);
+}
+
 std::string narrowestOf(std::span<const NarrowPlace> places)
 {
     const auto narrowest
@@ -135,6 +147,42 @@ double roughlyAtLeast(double value)
 double logarithmicMean(double a, double b)
 {
     return std::fabs(b - a) > 1e-3 * a ? (b - a) / std::log(b / a) : 0.5 * (a + b);
+}
+
+void putWidestFirst(NarrowPlace& place, std::span<const double> width)
+{
+    std::vector<std::size_t> order(place.triangles.size());
+    std::iota(order.begin(), order.end(), std::size_t {0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return width[place.triangles[a]] > width[place.triangles[b]];
+    });
+    NarrowPlace sorted = place;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        sorted.triangles[i] = place.triangles[order[i]];
+        sorted.costs[i] = place.costs[order[i]];
+    }
+    place = std::move(sorted);
+}
+
+/// Takes as many of the widest triangles off the place as cost at most limit; none if these are all.
+NarrowPlace takeWidest(NarrowPlace& place, double limit, const Triangulation& t)
+{
+    std::size_t count = 0;
+    double cost = 0.0;
+    while (count < place.costs.size() && cost + place.costs[count] <= limit) {
+        cost += place.costs[count++];
+    }
+    if (count == 0 || count == place.costs.size()) {
+        return {};
+    }
+    const auto last = place.triangles.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto lastCost = place.costs.begin() + static_cast<std::ptrdiff_t>(count);
+    NarrowPlace wide {{place.triangles.begin(), last}, {place.costs.begin(), lastCost},
+                      cost, widthOf(t, last[-1]), middleOf(t, last[-1]), true};
+    place.triangles.erase(place.triangles.begin(), last);
+    place.costs.erase(place.costs.begin(), lastCost);
+    place.cost -= cost;
+    return wide;
 }
 
 } // namespace
@@ -170,7 +218,7 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
         if (width[first] == kWide || seen[first] != 0) {
             continue;
         }
-        NarrowPlace place {{first}, 0.0, width[first], {}, isBetweenArms[first] != 0};
+        NarrowPlace place {{first}, {}, 0.0, width[first], {}, isBetweenArms[first] != 0};
         std::uint32_t narrowest = first;
         seen[first] = 1;
         double depth = 0.0; // log of the size over the width
@@ -184,6 +232,7 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
             if (width[triangle] < width[narrowest]) {
                 narrowest = triangle;
             }
+            double cost = 0.0;
             for (std::uint32_t side = 0; side < 3; ++side) {
                 const HalfEdge h = Topology::halfEdge(triangle, side);
                 if (t.isConstrained(h)) {
@@ -202,7 +251,7 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
                         const double share = base == Topology::next(h) ? gap.foot : 1.0 - gap.foot;
                         const double l = distance(t.points[t.origin(base)],
                                                   t.points[t.destination(base)]);
-                        place.cost += kPerLength * l * std::clamp(share, 0.0, 1.0) * density;
+                        cost += kPerLength * l * std::clamp(share, 0.0, 1.0) * density;
                     }
                 }
                 if (seen[next] == 0 && isBetweenArms[next] == isBetweenArms[first]) {
@@ -210,8 +259,12 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
                     place.triangles.push_back(next);
                 }
             }
+            place.costs.push_back(cost);
         }
-        place.cost += kPerPoint * depth;
+        place.cost = std::accumulate(place.costs.begin(), place.costs.end(), kPerPoint * depth);
+        if (place.isBetweenArms) {
+            putWidestFirst(place, width);
+        }
         place.width = width[narrowest];
         place.middle = middleOf(t, narrowest);
         places.push_back(std::move(place));
@@ -222,12 +275,23 @@ std::vector<NarrowPlace> findNarrowPlaces(const MeshEditor& editor, std::span<co
     return places;
 }
 
-NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, double narrowShare)
+NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, double narrowShare,
+                                const Triangulation& t)
 {
     double left = std::min(narrowShare * others, kMostForNarrowPlaces);
+    bool isBetweenArms = false; // such places come last
     std::vector<NarrowPlace> followed;
     std::vector<NarrowPlace> rest;
     for (NarrowPlace& place : places) {
+        if (place.isBetweenArms) {
+            left = isBetweenArms ? left : std::min(left, narrowShare * kMostBetweenArms);
+            isBetweenArms = true;
+            NarrowPlace wide = takeWidest(place, left, t);
+            if (!wide.triangles.empty()) {
+                left -= wide.cost;
+                followed.push_back(std::move(wide));
+            }
+        }
         const bool isPayable = place.cost <= left;
         left -= isPayable ? place.cost : 0.0;
         (isPayable ? followed : rest).push_back(std::move(place));
@@ -303,7 +367,8 @@ std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice)
                 ? "them"
                 : std::to_string(payable) + " of " + std::to_string(left.size());
             text += ", or divide " + which + " finely with narrow gaps = "
-                + numberText(roughlyAtLeast(1.0001 * (spent + further) / choice.others))
+                + numberText(roughlyAtLeast(shareFor({choice.places.data(), choice.followed + payable},
+                                                     choice.others)))
                 + ", which takes about " + numberText(roughly(further)) + " triangles more.";
         }
         messages.push_back(std::move(text));

@@ -16,7 +16,9 @@ namespace tessera
 /// A connected place between constrained edges too narrow for pieces of kSmallestPiece.
 struct NarrowPlace
 {
-    std::vector<std::uint32_t> triangles; ///< of the triangulation of the boundary
+    /// Of the triangulation of the boundary; between arms the widest first.
+    std::vector<std::uint32_t> triangles;
+    std::vector<double> costs; ///< of each triangle, without what the place costs as a whole
     double cost; ///< triangles that a graded mesh with good angles has there and around, estimated
     double width; ///< where it is narrowest
     Vec2 middle;  ///< between its sides there
@@ -31,8 +33,10 @@ struct NarrowChoice
     double others;                   ///< triangles of the rest of the mesh, estimated
 };
 
-/// The places that narrowShare, >= 0, and at most kMostForNarrowPlaces pay for one after the other.
-NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, double narrowShare);
+/// The places that narrowShare, >= 0, and at most kMostForNarrowPlaces pay for one after the other. Of
+/// places between arms the wide part that can be paid for becomes a place of its own.
+NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, double narrowShare,
+                                const Triangulation& t);
 
 /// What the user is told: where the places that are followed take more triangles than the others,
 /// and where places are left, each with the narrowest place and what to do. At most two messages.

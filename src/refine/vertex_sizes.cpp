@@ -110,7 +110,7 @@ bool VertexSizes::followNarrowPlaces(RefineReport& report)
     const double others
         = estimateTriangles(editor_.constMesh(), size_, options_) + kPerPiece * leastPieces();
     const NarrowChoice choice
-        = chooseNarrowPlaces(std::move(places), others, options_.narrowShare);
+        = chooseNarrowPlaces(std::move(places), others, options_.narrowShare, t_);
     least_.assign(t_.points.size(), 0.0);
     for (const auto& [v, piece] : follow(trianglesToFollow(choice, editor_), editor_)) {
         least_[v] = least_[v] > 0.0 ? std::min(least_[v], piece) : piece;

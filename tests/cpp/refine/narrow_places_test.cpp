@@ -68,11 +68,39 @@ TEST(NarrowPlaces, ThoseThatCostTooMuchDoNotKeepOthersFromBeingFollowed)
         places[i].cost = costs[i];
         places[i].isBetweenArms = i >= 2;
     }
-    const NarrowChoice choice = chooseNarrowPlaces(places, 200.0, 1.0);
+    const NarrowChoice choice = chooseNarrowPlaces(places, 200.0, 1.0, Triangulation());
     EXPECT_EQ(choice.followed, 2U);
     EXPECT_EQ(choice.places[0].cost, 100.0);
     EXPECT_EQ(choice.places[1].cost, 50.0);
     EXPECT_EQ(choice.places.size(), 4U);
+}
+
+TEST(NarrowPlaces, OfAWedgeThatCostsTooMuchTheWidePartIsFollowed)
+{
+    // Pieces of 0.1 on both arms of a corner of 0.001 rad.
+    std::vector<std::pair<Vec2, Vec2>> arms;
+    for (int i = 1; i < 8; ++i) {
+        const double from = 0.1 * i;
+        const double to = 0.1 * (i + 1);
+        arms.push_back({{from, 0.5}, {to, 0.5}});
+        arms.push_back({{from, 0.5 + 0.001 * (from - 0.1)}, {to, 0.5 + 0.001 * (to - 0.1)}});
+    }
+    Square square(arms);
+    const MeshEditor editor(square.mesh());
+    std::vector<NarrowPlace> places = square.places(editor);
+    ASSERT_EQ(places.size(), 1U);
+    const double whole = places[0].cost;
+    const NarrowChoice choice
+        = chooseNarrowPlaces(places, 0.5 * whole, 1.0, editor.triangulation());
+    ASSERT_EQ(choice.places.size(), 2U);
+    EXPECT_EQ(choice.followed, 1U);
+    const NarrowPlace& wide = choice.places[0];
+    const NarrowPlace& rest = choice.places[1];
+    EXPECT_LE(wide.cost, 0.5 * whole);
+    EXPECT_GT(wide.width, rest.width);
+    EXPECT_GT(wide.middle.x, rest.middle.x);
+    EXPECT_EQ(wide.triangles.size() + rest.triangles.size(), places[0].triangles.size());
+    EXPECT_NEAR(wide.cost + rest.cost, whole, 1e-9 * whole);
 }
 
 /// Lines that would meet outside are the sides of a gap that good angles can fill.
