@@ -301,6 +301,11 @@ NarrowChoice chooseNarrowPlaces(std::vector<NarrowPlace> places, double others, 
     return {std::move(followed), count, others};
 }
 
+double NarrowChoice::spent() const
+{
+    return costOf(std::span(places).first(followed));
+}
+
 std::vector<FollowedTriangle> trianglesToFollow(const NarrowChoice& choice,
                                                 const MeshEditor& editor)
 {
@@ -340,7 +345,7 @@ std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice)
 {
     const std::span<const NarrowPlace> followed(choice.places.data(), choice.followed);
     const auto left = std::span<const NarrowPlace>(choice.places).subspan(choice.followed);
-    const double spent = costOf(followed);
+    const double spent = choice.spent();
     std::vector<std::string> messages;
     if (spent > choice.others) {
         messages.push_back("Gaps far narrower than the size take most of the triangles; "

@@ -29,8 +29,10 @@ struct NarrowPlace
 struct NarrowChoice
 {
     std::vector<NarrowPlace> places; ///< first those that are followed
-    std::size_t followed;            ///< how many of them
-    double others;                   ///< triangles of the rest of the mesh, estimated
+    std::size_t followed = 0;        ///< how many of them
+    double others = 0.0;             ///< triangles of the rest of the mesh, estimated
+
+    double spent() const; ///< triangles of the places that are followed, estimated
 };
 
 /// The places that narrowShare, >= 0, and at most kMostForNarrowPlaces pay for one after the other. Of

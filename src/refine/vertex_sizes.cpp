@@ -30,7 +30,6 @@
 #include "refine/vertex_sizes.h"
 
 #include "refine/gaps.h"
-#include "refine/narrow_places.h"
 #include "refine/wedges.h"
 
 #include <algorithm>
@@ -55,6 +54,9 @@ constexpr double kEqualArmsOfSharp = 1.02;
 constexpr double kSharpWedge = std::numbers::pi / 6.0;
 /// Triangles beside each piece of the constrained edges, as sizes grow on both sides of it.
 constexpr double kPerPiece = 3.0;
+/// Where narrow places make more pieces than this multiple of the triangles that they were estimated
+/// to take, they are left.
+constexpr double kMostOverCost = 4.0;
 } // namespace
 
 VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const RefineOptions& options)
@@ -79,6 +81,9 @@ void VertexSizes::prepare(RefineReport& report, Execution& execution)
         measure();
         if (round == 0 && followNarrowPlaces(report)) {
             measure();
+        }
+        if (leastPieces() > mostPieces_) {
+            leaveNarrowPlaces(report);
         }
         requireFewTriangles(leastPieces(), options_);
         // The last round may not split: every vertex needs a size.
@@ -109,14 +114,28 @@ bool VertexSizes::followNarrowPlaces(RefineReport& report)
     }
     const double others
         = estimateTriangles(editor_.constMesh(), size_, options_) + kPerPiece * leastPieces();
-    const NarrowChoice choice
+    NarrowChoice choice
         = chooseNarrowPlaces(std::move(places), others, options_.narrowShare, t_);
     least_.assign(t_.points.size(), 0.0);
     for (const auto& [v, piece] : follow(trianglesToFollow(choice, editor_), editor_)) {
         least_[v] = least_[v] > 0.0 ? std::min(least_[v], piece) : piece;
     }
     report.messages = describeNarrowPlaces(choice);
+    mostPieces_ = others + kMostOverCost * choice.spent();
+    choice_ = std::move(choice);
     return !editor_.constMesh().leastPiece.empty();
+}
+
+/// Lines that only begin or end in a narrow place may run along others for their whole length: then
+/// the pieces for the one place open the next, and the places cost many times what was estimated.
+void VertexSizes::leaveNarrowPlaces(RefineReport& report)
+{
+    editor_.mesh().leastPiece.clear();
+    least_.clear();
+    mostPieces_ = std::numeric_limits<double>::infinity();
+    choice_.followed = 0;
+    report.messages = describeNarrowPlaces(choice_);
+    measure();
 }
 
 /// How low gaps may make the size of a vertex.

@@ -3,11 +3,13 @@
 
 #include "base/execution.h"
 #include "refine/mesh_editor.h"
+#include "refine/narrow_places.h"
 #include "refine/refine.h"
 #include "sizing/size_field.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace tessera
@@ -68,6 +70,7 @@ private:
     void measureGaps();
     void measure();
     bool followNarrowPlaces(RefineReport& report);
+    void leaveNarrowPlaces(RefineReport& report);
     double leastSize(std::uint32_t v) const;
     void limitGrowth(double growth);
     double leastPieces() const;
@@ -84,6 +87,8 @@ private:
     std::vector<double> field_; ///< by vertex of the boundary: the size field there
     std::vector<double> h_;     ///< by vertex
     std::vector<double> least_; ///< by vertex of a narrow place that is followed: leastSize()
+    NarrowChoice choice_;
+    double mostPieces_ = std::numeric_limits<double>::infinity(); ///< else narrow places are left
     std::vector<double> shell_; ///< by vertex: longest arm of a corner below 60 degrees, else <= 0
 };
 
