@@ -47,7 +47,7 @@ constexpr double kMargin = 0.25;
 /// A mesh that is large anyway is not doubled for narrow places.
 constexpr double kMostForNarrowPlaces = 5e5;
 /// At most, for a share of 1, between the arms of corners: small angles remain there in any case.
-constexpr double kMostBetweenArms = 3e4;
+constexpr double kMostBetweenArms = 6e4;
 
 /// The constrained edge of a triangle; kDead if there is none, or more than one: then there is a
 /// corner and no gap.
