@@ -11,16 +11,16 @@
 // Ruppert's argument for termination holds for any input angles.
 //
 // Guarantees: ends always, whatever rounding does. No constrained edge is split below
-// kSmallestPiece of the size there, or a share of short subsegments around, so their pieces are
-// finite in number. No point is inserted
-// nearer to a vertex that it sees than kSmallestDistance of the spacing there: the length of
-// constrained edges and the distances that stood before, which new points inherit unchanged. All
-// distances in a convex part between constrained edges thus have one positive bound, and only
-// finitely many points fit. Moreover the number of insertions is bounded by a multiple of the
-// estimated number of triangles. (Without the bound a triangle 1 wide and 1e-17 high is filled down
-// to the smallest double: points beside each other round into the same column.) For input angles of at least 60 degrees and gaps above that floor
-// no angle below 20.7 degrees remains in theory (Ruppert), 30 in practice; what remains is listed
-// by collectUnreached(). Complexity: O(m log m) for m insertions.
+// kLastShare of kSmallestPiece of the size there, or of a share of short subsegments around, so their
+// pieces are finite in number. No point is inserted nearer to a vertex that it sees than
+// kSmallestDistance of the spacing there: the length of constrained edges and the distances that
+// stood before, which new points inherit unchanged. All distances in a convex part between constrained
+// edges thus have one positive bound, and only finitely many points fit. Moreover the number of
+// insertions is bounded by a multiple of the estimated number of triangles. (Without the bound a
+// triangle 1 wide and 1e-17 high is filled down to the smallest double: points beside each other round
+// into the same column.) For input angles of at least 60 degrees and gaps above that floor no angle
+// below 20.7 degrees remains in theory (Ruppert), 30 in practice; what remains is listed by
+// collectUnreached(). Complexity: O(m log m) for m insertions.
 
 #include "refine/delaunay_refinement.h"
 
@@ -42,6 +42,11 @@ namespace
 
 constexpr double kSmallestDistance = 1.0 / 64.0; ///< of the spacing, between a point and a vertex
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
+/// A few pieces may be so much shorter than the rest beside the end of a gap that is followed, or
+/// beside lines divided finely for their other side only: that makes the last angles good.
+constexpr double kLastShare = 1.0 / 16.0;
+constexpr std::size_t kShortSplits = 64;         ///< at least so many such splits
+constexpr std::size_t kEdgesPerShortSplit = 128; ///< and one for so many constrained edges
 constexpr std::size_t kCheckpointEvery = 256;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -133,6 +138,7 @@ public:
         measureSpacing();
         workLeft_ = 20.0 * static_cast<double>(t_.triangles.size())
             + 200.0 * static_cast<double>(editor_.mesh().edges.size()) + 1000.0;
+        shortSplitsLeft_ = kShortSplits + editor_.mesh().edges.size() / kEdgesPerShortSplit;
         bool extended = false;
         std::size_t steps = 0;
         while (!large_.empty() || !skinny_.empty()) {
@@ -426,15 +432,19 @@ private:
         const double piece = std::min(fraction, 1.0 - fraction) * whole;
         const Vec2 middle = midpoint(t_.points[a], t_.points[b]);
         const std::uint32_t record = editor_.findRecord(a, b);
-        if (record == MeshEditor::kNone
-            || piece < leastPiece(editor_, editor_.constMesh().edges[record].useSet, middle,
-                                  size_.size(middle))) {
+        if (record == MeshEditor::kNone) {
+            return false;
+        }
+        const double least = leastPiece(editor_, editor_.constMesh().edges[record].useSet, middle,
+                                        size_.size(middle));
+        if (piece < least && (piece < kLastShare * least || shortSplitsLeft_ == 0)) {
             return false;
         }
         const std::uint32_t v = editor_.splitEdge(edge, fraction);
         if (v == MeshEditor::kNone) {
             return false;
         }
+        shortSplitsLeft_ -= piece < least ? 1 : 0;
         spacing_.resize(v + 1, std::min(piece, std::min(spacing_[a], spacing_[b])));
         workLeft_ -= 1.0;
         ++report_.segmentSplits;
@@ -451,6 +461,7 @@ private:
     double cosineLimit_;
     double hopelessGap_;
     double workLeft_ = 0.0;
+    std::size_t shortSplitsLeft_ = 0;
     std::vector<BadTriangle> large_;
     std::priority_queue<BadTriangle> skinny_;
     std::vector<double> spacing_; ///< by vertex

@@ -10,7 +10,7 @@
 // ends are split, and all is repeated until nothing changes.
 //
 // Corners below 60 degrees: between the arms nothing can be placed or moved, so the arms get about
-// equal first edges (a shell). Those are never split, and only from the shell outwards the distance
+// equal first edges (a shell). Those are not split for their length, and only from the shell outwards the distance
 // between the arms counts as a gap. Then the smallest angle of the one triangle at the corner is
 // the input angle, or above 40 degrees.
 //
