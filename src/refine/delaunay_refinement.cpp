@@ -11,16 +11,16 @@
 // Ruppert's argument for termination holds for any input angles.
 //
 // Guarantees: ends always, whatever rounding does. No constrained edge is split below
-// kLastShare of kSmallestPiece of the size there, or of a share of short subsegments around, so their
-// pieces are finite in number. No point is inserted nearer to a vertex that it sees than
+// kLastShare of kSmallestPiece of the size there, or of a share of short subsegments around, so
+// their pieces are finite in number. No point is inserted nearer to a vertex that it sees than
 // kSmallestDistance of the spacing there: the length of constrained edges and the distances that
-// stood before, which new points inherit unchanged. All distances in a convex part between constrained
-// edges thus have one positive bound, and only finitely many points fit. Moreover the number of
-// insertions is bounded by a multiple of the estimated number of triangles. (Without the bound a
-// triangle 1 wide and 1e-17 high is filled down to the smallest double: points beside each other round
-// into the same column.) For input angles of at least 60 degrees and gaps above that floor no angle
-// below 20.7 degrees remains in theory (Ruppert), 30 in practice; what remains is listed by
-// collectUnreached(). Complexity: O(m log m) for m insertions.
+// stood before, which new points inherit unchanged. All distances in a convex part between
+// constrained edges thus have one positive bound, and only finitely many points fit. Moreover the
+// number of insertions is bounded by a multiple of the estimated number of triangles. (Without the
+// bound a triangle 1 wide and 1e-17 high is filled down to the smallest double: points beside each
+// other round into the same column.) For input angles of at least 60 degrees and gaps above that
+// floor no angle below 20.7 degrees remains in theory (Ruppert), 30 in practice; what remains is
+// listed by collectUnreached(). Complexity: O(m log m) for m insertions.
 
 #include "refine/delaunay_refinement.h"
 

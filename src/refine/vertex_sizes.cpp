@@ -10,9 +10,9 @@
 // ends are split, and all is repeated until nothing changes.
 //
 // Corners below 60 degrees: between the arms nothing can be placed or moved, so the arms get about
-// equal first edges (a shell). Those are not split for their length, and only from the shell outwards the distance
-// between the arms counts as a gap. Then the smallest angle of the one triangle at the corner is
-// the input angle, or above 40 degrees.
+// equal first edges (a shell). Those are not split for their length, and only from the shell outwards
+// the distance between the arms counts as a gap. Then the smallest angle of the one triangle at the
+// corner is the input angle, or above 40 degrees.
 //
 // Constrained edges were sampled by the size field, which may grow faster than free vertices shall:
 // until all are divided, sizes grow at its rate. Else edges would be halved for growth alone (at a
