@@ -19,6 +19,10 @@ constexpr double kStraight = 1e-7; ///< radians
 /// Radians per coordinate over length: a few roundings of the two ends.
 constexpr double kRounding = 8e-16;
 constexpr double kCosine = 0.5; ///< of 60 degrees
+/// Where more lines meet, each is compared with the next kNeighbors only, so that neither time nor
+/// memory grows with the square of their number; lines are taken to end there.
+constexpr std::size_t kMostArms = 256;
+constexpr std::size_t kNeighbors = 16;
 } // namespace
 
 AcuteArms::AcuteArms(const MeshEditor& editor)
@@ -100,8 +104,9 @@ void AcuteArms::joinAt(std::uint32_t v)
     measureArms(v);
     const Vec2 p = t_.points[v];
     const double rounding = kRounding * (std::fabs(p.x) + std::fabs(p.y));
+    const std::size_t reach = arms_.size() > kMostArms ? kNeighbors : arms_.size();
     for (std::size_t i = 0; i < arms_.size(); ++i) {
-        for (std::size_t k = i + 1; k < arms_.size(); ++k) {
+        for (std::size_t k = i + 1; k < std::min(arms_.size(), i + 1 + reach); ++k) {
             const Vec2 u = arms_[i].along;
             const Vec2 w = arms_[k].along;
             const double lu = length(u);

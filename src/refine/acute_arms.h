@@ -15,7 +15,7 @@ namespace tessera
 class AcuteArms
 {
 public:
-    /// Complexity: O(n log n + sum of squared degrees) for n constrained edges.
+    /// Complexity: O(n log n) for n constrained edges.
     explicit AcuteArms(const MeshEditor& editor);
 
     /// Whether a constrained edge and the apex of its triangle lie on the arms of one such corner,
