@@ -362,7 +362,10 @@ std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice)
         }
         std::string text = "Gaps far narrower than the size are left coarse, with small angles; "
             + narrowestOf(left) + " Close them with a weld tolerance";
-        if (payable == 0) {
+        if (choice.isUnderestimated) {
+            text += ": to divide them finely takes far more triangles than the gaps are worth.";
+        }
+        else if (payable == 0) {
             text += ": to divide them finely takes more than "
                 + numberText(kMostForNarrowPlaces)
                 + " triangles, the most that is spent on such gaps.";
@@ -372,8 +375,8 @@ std::vector<std::string> describeNarrowPlaces(const NarrowChoice& choice)
                 ? "them"
                 : std::to_string(payable) + " of " + std::to_string(left.size());
             text += ", or divide " + which + " finely with narrow gaps = "
-                + numberText(roughlyAtLeast(shareFor({choice.places.data(), choice.followed + payable},
-                                                     choice.others)))
+                + numberText(roughlyAtLeast(shareFor(
+                    std::span(choice.places).first(choice.followed + payable), choice.others)))
                 + ", which takes about " + numberText(roughly(further)) + " triangles more.";
         }
         messages.push_back(std::move(text));

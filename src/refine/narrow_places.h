@@ -31,6 +31,7 @@ struct NarrowChoice
     std::vector<NarrowPlace> places; ///< first those that are followed
     std::size_t followed = 0;        ///< how many of them
     double others = 0.0;             ///< triangles of the rest of the mesh, estimated
+    bool isUnderestimated = false;   ///< those chosen took far more, so that all are left
 
     double spent() const; ///< triangles of the places that are followed, estimated
 };

@@ -134,6 +134,7 @@ void VertexSizes::leaveNarrowPlaces(RefineReport& report)
     least_.clear();
     mostPieces_ = std::numeric_limits<double>::infinity();
     choice_.followed = 0;
+    choice_.isUnderestimated = true;
     report.messages = describeNarrowPlaces(choice_);
     measure();
 }
