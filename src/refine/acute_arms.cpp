@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Edges that run straight through a vertex are joined into lines (union-find), and pairs of lines
+// Subsegments that run straight through a vertex are joined into lines (union-find), and pairs of lines
 // that leave a vertex at less than 60 degrees are listed. Two lines have at most one such corner,
-// but edges joined within rounding may have more: all are tried.
+// but subsegments joined within rounding may have more: all are tried.
 
 #include "refine/acute_arms.h"
 
@@ -23,25 +23,28 @@ constexpr double kCosine = 0.5; ///< of 60 degrees
 /// memory grows with the square of their number; lines are taken to end there.
 constexpr std::size_t kMostArms = 256;
 constexpr std::size_t kNeighbors = 16;
+constexpr double kNear = 3.0;           ///< of the longest edge of a triangle
+constexpr std::size_t kMostNear = 256; ///< vertices that are looked at for one triangle
 } // namespace
 
 AcuteArms::AcuteArms(const MeshEditor& editor)
     : editor_(editor)
     , t_(editor.triangulation())
-    , line_(editor.constMesh().edges.size())
+    , line_(editor.rootCount())
+    , isCorner_(t_.points.size(), 0)
 {
     std::iota(line_.begin(), line_.end(), 0U);
     std::vector<std::uint8_t> seen(t_.points.size(), 0);
-    for (const ConstrainedEdge& edge : editor.constMesh().edges) {
-        for (const std::uint32_t v : {edge.a, edge.b}) {
-            if (seen[v] == 0) {
+    for (std::uint32_t root = 0; root < line_.size(); ++root) {
+        for (const std::uint32_t v : {editor.rootStart(root), editor.rootEnd(root)}) {
+            if (v != MeshEditor::kNone && seen[v] == 0) {
                 seen[v] = 1;
                 joinAt(v);
             }
         }
     }
-    for (std::uint32_t edge = 0; edge < line_.size(); ++edge) {
-        line_[edge] = lineOf(edge);
+    for (std::uint32_t root = 0; root < line_.size(); ++root) {
+        line_[root] = lineOf(root);
     }
     for (Corner& corner : corners_) {
         corner.lines = std::minmax(line_[corner.lines.first], line_[corner.lines.second]);
@@ -53,32 +56,120 @@ AcuteArms::AcuteArms(const MeshEditor& editor)
 bool AcuteArms::areAround(HalfEdge base) const
 {
     const std::uint32_t baseLine = lineAt(base);
-    const std::uint32_t apex = t_.apex(base);
-    std::vector<std::uint32_t> lines;
-    t_.forEachAround(apex, [&](HalfEdge h) {
-        if (t_.isConstrained(h)) {
-            lines.push_back(lineAt(h));
-        }
-    });
+    const std::vector<std::uint32_t> lines = linesAt(t_.apex(base));
     return std::any_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
         const bool endsAtApex = std::count(lines.begin(), lines.end(), line) == 1;
         return meetAcutely(std::minmax(baseLine, line), base, endsAtApex);
     });
 }
 
-std::uint32_t AcuteArms::lineOf(std::uint32_t edge)
+bool AcuteArms::concern(std::uint32_t triangle) const
 {
-    while (line_[edge] != edge) {
-        line_[edge] = line_[line_[edge]];
-        edge = line_[edge];
+    return isNearCorner(triangle) || holdAll(triangle);
+}
+
+bool AcuteArms::isNearCorner(std::uint32_t triangle) const
+{
+    const auto& v = t_.triangles[triangle].v;
+    const Vec2 p[] = {t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]};
+    double longest = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        longest = std::max(longest, squaredLength(p[(i + 1) % 3] - p[i]));
     }
-    return edge;
+    const auto isNear = [&](std::uint32_t u) {
+        return std::any_of(p, p + 3, [&](Vec2 q) {
+            return squaredLength(t_.points[u] - q) <= kNear * kNear * longest;
+        });
+    };
+    std::vector<std::uint32_t> near(v, v + 3);
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        if (near[i] < isCorner_.size() && isCorner_[near[i]] != 0) { // else it is a new vertex
+            return true;
+        }
+        t_.forEachAround(near[i], [&](HalfEdge h) {
+            const std::uint32_t u = t_.destination(h);
+            if (u != Topology::kInfinite && near.size() < kMostNear && isNear(u)
+                && std::find(near.begin(), near.end(), u) == near.end()) {
+                near.push_back(u);
+            }
+        });
+    }
+    return false;
+}
+
+/// Whether all corners of the triangle lie on two arms of one corner, in the angle between them.
+bool AcuteArms::holdAll(std::uint32_t triangle) const
+{
+    const auto& v = t_.triangles[triangle].v;
+    const std::vector<std::uint32_t> at[] = {linesAt(v[0]), linesAt(v[1]), linesAt(v[2])};
+    const auto isOn = [&](std::size_t i, const Lines& lines) {
+        return std::any_of(at[i].begin(), at[i].end(), [&](std::uint32_t line) {
+            return line == lines.first || line == lines.second;
+        });
+    };
+    const auto areAcuteAround = [&](Vec2 corner) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec2 u = t_.points[v[i]] - corner;
+            const Vec2 w = t_.points[v[(i + 1) % 3]] - corner;
+            if (!(dot(u, w) > kCosine * length(u) * length(w))) {
+                return false;
+            }
+        }
+        return true;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (const std::uint32_t a : at[i]) {
+            for (const std::uint32_t b : at[(i + 1) % 3]) {
+                const Lines lines = std::minmax(a, b);
+                if (isOn((i + 2) % 3, lines) && anyCorner(lines, areAcuteAround)) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+std::uint32_t AcuteArms::lineOf(std::uint32_t root)
+{
+    while (line_[root] != root) {
+        line_[root] = line_[line_[root]];
+        root = line_[root];
+    }
+    return root;
 }
 
 std::uint32_t AcuteArms::lineAt(HalfEdge h) const
 {
-    const std::uint32_t edge = editor_.findRecord(t_.origin(h), t_.destination(h));
-    return edge == MeshEditor::kNone ? edge : line_[edge];
+    const MeshEditor::RootSide on = editor_.rootSideOf(h);
+    return on.root == MeshEditor::kNone ? on.root : line_[on.root];
+}
+
+/// Once for each constrained edge at v.
+std::vector<std::uint32_t> AcuteArms::linesAt(std::uint32_t v) const
+{
+    std::vector<std::uint32_t> lines;
+    if (!editor_.isFree(v)) {
+        t_.forEachAround(v, [&](HalfEdge h) {
+            if (t_.isConstrained(h)) {
+                lines.push_back(lineAt(h));
+            }
+        });
+    }
+    return lines;
+}
+
+template<class F>
+bool AcuteArms::anyCorner(const Lines& lines, F&& isAround) const
+{
+    auto corner = std::lower_bound(corners_.begin(), corners_.end(), lines,
+                                   [](const Corner& a, const Lines& b) { return a.lines < b; });
+    for (; corner != corners_.end() && corner->lines == lines; ++corner) {
+        if (isAround(t_.points[corner->vertex])) {
+            return true;
+        }
+    }
+    return false;
 }
 
 void AcuteArms::measureArms(std::uint32_t v)
@@ -90,9 +181,9 @@ void AcuteArms::measureArms(std::uint32_t v)
                  || editor_.isKept(Topology::triangleOf(t_.twin(h))))) {
             return;
         }
-        const std::uint32_t edge = editor_.findRecord(v, t_.destination(h));
-        if (edge != MeshEditor::kNone) {
-            arms_.push_back({t_.points[t_.destination(h)] - t_.points[v], edge});
+        const MeshEditor::RootSide on = editor_.rootSideOf(h);
+        if (on.root != MeshEditor::kNone) {
+            arms_.push_back({t_.points[t_.destination(h)] - t_.points[v], on.root});
         }
     });
 }
@@ -113,10 +204,11 @@ void AcuteArms::joinAt(std::uint32_t v)
             const double lw = length(w);
             const double straight = kStraight + rounding / std::min(lu, lw);
             if (dot(u, w) < 0.0 && std::fabs(cross(u, w)) <= straight * lu * lw) {
-                line_[lineOf(arms_[k].edge)] = lineOf(arms_[i].edge);
+                line_[lineOf(arms_[k].root)] = lineOf(arms_[i].root);
             }
             else if (dot(u, w) > kCosine * lu * lw) {
-                corners_.push_back({{arms_[i].edge, arms_[k].edge}, v});
+                corners_.push_back({{arms_[i].root, arms_[k].root}, v});
+                isCorner_[v] = 1;
             }
         }
     }
@@ -127,19 +219,13 @@ bool AcuteArms::meetAcutely(Lines lines, HalfEdge base, bool endsAtApex) const
     const Vec2 a = t_.points[t_.origin(base)];
     const Vec2 b = t_.points[t_.destination(base)];
     const Vec2 apex = t_.points[t_.apex(base)];
-    auto corner = std::lower_bound(corners_.begin(), corners_.end(), lines,
-                                   [](const Corner& a, const Lines& b) { return a.lines < b; });
-    for (; corner != corners_.end() && corner->lines == lines; ++corner) {
-        const Vec2 at = t_.points[corner->vertex];
-        const Vec2 u = midpoint(a, b) - at;
-        const Vec2 w = apex - at;
+    return anyCorner(lines, [&](Vec2 corner) {
+        const Vec2 u = midpoint(a, b) - corner;
+        const Vec2 w = apex - corner;
         const double arm = length(w);
         const bool isBeyond = endsAtApex && length(u) > arm;
-        if (dot(u, w) > kCosine * length(u) * arm && !isBeyond) {
-            return true;
-        }
-    }
-    return false;
+        return dot(u, w) > kCosine * length(u) * arm && !isBeyond;
+    });
 }
 
 } // namespace tessera

@@ -20,11 +20,17 @@
 // bound a triangle 1 wide and 1e-17 high is filled down to the smallest double: points beside each
 // other round into the same column.) For input angles of at least 60 degrees and gaps above that
 // floor no angle below 20.7 degrees remains in theory (Ruppert), 30 in practice; what remains is
-// listed by collectUnreached(). Complexity: O(m log m) for m insertions.
+// listed by findUnreached().
+//
+// Pieces end at kSmallestPiece until nothing else helps. Then the few bad triangles that are left away
+// from acute corners, beside the end of a gap that is followed or beside lines divided finely for
+// their other side only, may have pieces down to kLastShare of that. Complexity: O(m log m) for m
+// insertions.
 
 #include "refine/delaunay_refinement.h"
 
 #include "predicates/predicates.h"
+#include "refine/acute_arms.h"
 #include "refine/gaps.h"
 #include "refine/wedges.h"
 
@@ -32,6 +38,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <queue>
 
 namespace tessera
@@ -42,11 +49,11 @@ namespace
 
 constexpr double kSmallestDistance = 1.0 / 64.0; ///< of the spacing, between a point and a vertex
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
-/// A few pieces may be so much shorter than the rest beside the end of a gap that is followed, or
-/// beside lines divided finely for their other side only: that makes the last angles good.
-constexpr double kLastShare = 1.0 / 16.0;
-constexpr std::size_t kShortSplits = 64;         ///< at least so many such splits
-constexpr std::size_t kEdgesPerShortSplit = 128; ///< and one for so many constrained edges
+/// The last bad triangles may have pieces so much shorter than the rest.
+constexpr double kLastShare = 1.0 / 4096.0;
+/// Only few neighbors: gaps that were left coarse stay so.
+constexpr std::size_t kMostTogether = 64;
+constexpr std::size_t kShortSplits = 16; ///< for each of them
 constexpr std::size_t kCheckpointEvery = 256;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -100,11 +107,14 @@ Shape shapeOf(const Triangulation& t, std::uint32_t triangle)
     return s;
 }
 
+constexpr std::uint32_t kNoGroup = 0xffffffffU;
+
 struct BadTriangle
 {
     double badness; ///< cosine of the smallest angle
     std::uint32_t triangle;
     std::uint32_t v[3];
+    std::uint32_t group; ///< the last bad triangles: of neighbors, else kNoGroup
 
     friend bool operator<(const BadTriangle& a, const BadTriangle& b)
     {
@@ -132,13 +142,22 @@ public:
         for (const std::uint32_t triangle : candidates) {
             judge(triangle);
         }
-        if (large_.empty() && skinny_.empty()) {
+        if (large_.empty() && skinny_.empty() && givenUp_.empty()) {
             return;
         }
         measureSpacing();
         workLeft_ = 20.0 * static_cast<double>(t_.triangles.size())
             + 200.0 * static_cast<double>(editor_.mesh().edges.size()) + 1000.0;
-        shortSplitsLeft_ = kShortSplits + editor_.mesh().edges.size() / kEdgesPerShortSplit;
+        improveAll();
+        if (!givenUp_.empty() && !options_.freezeBoundary) {
+            improveLast();
+        }
+    }
+
+private:
+    /// Until no bad triangle is left that anything can be done for.
+    void improveAll()
+    {
         bool extended = false;
         std::size_t steps = 0;
         while (!large_.empty() || !skinny_.empty()) {
@@ -158,12 +177,56 @@ public:
             isLarge ? large_.pop_back() : skinny_.pop();
             if (isCurrent(bad)) {
                 workLeft_ -= 1.0;
-                improve(bad, isLarge);
+                group_ = bad.group;
+                if (!improve(bad, isLarge) && !isLarge) {
+                    givenUp_.push_back(bad);
+                }
             }
         }
     }
 
-private:
+    /// Tries those given up once more, now with short pieces, if no acute corner explains them.
+    void improveLast()
+    {
+        arms_.emplace(editor_);
+        std::vector<std::uint8_t> isBad(t_.triangles.size(), 0);
+        for (const BadTriangle& bad : givenUp_) {
+            isBad[bad.triangle] = isCurrent(bad) && !arms_->concern(bad.triangle) ? 1 : 0;
+        }
+        std::vector<std::uint32_t> group;
+        for (const BadTriangle& bad : givenUp_) {
+            if (isBad[bad.triangle] == 0) {
+                continue;
+            }
+            collectNeighbors(bad.triangle, isBad, group);
+            if (group.size() <= kMostTogether) {
+                group_ = static_cast<std::uint32_t>(shortSplitsLeft_.size());
+                shortSplitsLeft_.push_back(kShortSplits * group.size());
+                std::for_each(group.begin(), group.end(), [this](auto i) { judge(i); });
+            }
+        }
+        improveAll();
+    }
+
+    /// Moves those bad triangles to group that can be reached from the first without crossing others
+    /// or constrained edges.
+    void collectNeighbors(std::uint32_t first, std::vector<std::uint8_t>& isBad,
+                          std::vector<std::uint32_t>& group) const
+    {
+        isBad[first] = 0;
+        group.assign(1, first);
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            for (std::uint32_t side = 0; side < 3; ++side) {
+                const HalfEdge h = Topology::halfEdge(group[i], side);
+                const std::uint32_t next = Topology::triangleOf(t_.twin(h));
+                if (!t_.isConstrained(h) && isBad[next] != 0) {
+                    isBad[next] = 0;
+                    group.push_back(next);
+                }
+            }
+        }
+    }
+
     bool isCurrent(const BadTriangle& bad) const
     {
         const auto& v = t_.triangles[bad.triangle].v;
@@ -224,13 +287,23 @@ private:
         }
         const Shape s = shapeOf(t_, triangle);
         const auto& v = t_.triangles[triangle].v;
-        BadTriangle bad {s.cosineOfSmallest(), triangle, {v[0], v[1], v[2]}};
+        BadTriangle bad {s.cosineOfSmallest(), triangle, {v[0], v[1], v[2]}, group_};
         if (isTooLarge(s, triangle)) {
             large_.push_back(bad);
         }
-        else if (bad.badness > cosineLimit_ && !isExempt(s) && !isInHopelessGap(triangle)) {
-            skinny_.push(bad);
+        else if (bad.badness > cosineLimit_ && !isExempt(s)) {
+            if (!isInHopelessGap(triangle) || isWorthShortPieces(triangle)) {
+                skinny_.push(bad);
+            }
+            else if (!arms_) {
+                givenUp_.push_back(bad);
+            }
         }
+    }
+
+    bool isWorthShortPieces(std::uint32_t triangle) const
+    {
+        return group_ != kNoGroup && shortSplitsLeft_[group_] > 0 && !arms_->concern(triangle);
     }
 
     bool isTooLarge(const Shape& s, std::uint32_t triangle) const
@@ -331,12 +404,13 @@ private:
             : center;
     }
 
-    void improve(const BadTriangle& bad, bool isLarge)
+    /// Whether anything was inserted for it.
+    bool improve(const BadTriangle& bad, bool isLarge)
     {
         const Shape s = shapeOf(t_, bad.triangle);
         const Vec2 p = newPoint(s, isLarge);
         if (!isFinite(p)) {
-            return;
+            return false;
         }
         const VisibleWalk found = editor_.walk(Topology::halfEdge(bad.triangle, 0), p);
         encroached_.clear();
@@ -352,25 +426,27 @@ private:
             if (encroached_.empty()) {
                 const double spacing = leastSpacing(s);
                 if (!(nearest_ >= kSmallestDistance * spacing)) {
-                    return;
+                    return false;
                 }
                 const std::uint32_t v = editor_.insertInside(p, found.location);
                 spacing_.resize(v + 1, spacing);
                 ++report_.interiorPoints;
                 judgeStar(v);
-                return;
+                return true;
             }
         }
+        const bool mayBeShort = isWorthShortPieces(bad.triangle);
         bool anySplit = false;
         for (std::size_t i = 0; i < encroached_.size(); ++i) {
             const HalfEdge edge = t_.findEdge(encroached_[i].first, encroached_[i].second);
             if (edge != Topology::kDead && t_.isConstrained(edge)) {
-                anySplit = split(edge) || anySplit;
+                anySplit = split(edge, mayBeShort) || anySplit;
             }
         }
         if (anySplit && isCurrent(bad)) {
             judge(bad.triangle);
         }
+        return anySplit;
     }
 
     void judgeStar(std::uint32_t v)
@@ -414,7 +490,7 @@ private:
     }
 
     /// Splits a constrained edge in the middle, or on the shell around an acute apex.
-    bool split(HalfEdge edge)
+    bool split(HalfEdge edge, bool mayBeShort)
     {
         if (options_.freezeBoundary) {
             return false;
@@ -437,14 +513,17 @@ private:
         }
         const double least = leastPiece(editor_, editor_.constMesh().edges[record].useSet, middle,
                                         size_.size(middle));
-        if (piece < least && (piece < kLastShare * least || shortSplitsLeft_ == 0)) {
+        const bool isShort = piece < least;
+        if (isShort && (!mayBeShort || piece < kLastShare * least || shortSplitsLeft_[group_] == 0)) {
             return false;
         }
         const std::uint32_t v = editor_.splitEdge(edge, fraction);
         if (v == MeshEditor::kNone) {
             return false;
         }
-        shortSplitsLeft_ -= piece < least ? 1 : 0;
+        if (isShort) {
+            --shortSplitsLeft_[group_];
+        }
         spacing_.resize(v + 1, std::min(piece, std::min(spacing_[a], spacing_[b])));
         workLeft_ -= 1.0;
         ++report_.segmentSplits;
@@ -461,7 +540,10 @@ private:
     double cosineLimit_;
     double hopelessGap_;
     double workLeft_ = 0.0;
-    std::size_t shortSplitsLeft_ = 0;
+    std::vector<BadTriangle> givenUp_;
+    std::optional<AcuteArms> arms_; ///< once only short pieces can help
+    std::uint32_t group_ = kNoGroup; ///< that is worked on
+    std::vector<std::size_t> shortSplitsLeft_; ///< by group
     std::vector<BadTriangle> large_;
     std::priority_queue<BadTriangle> skinny_;
     std::vector<double> spacing_; ///< by vertex

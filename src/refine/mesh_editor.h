@@ -75,6 +75,7 @@ public:
     {
         return v < pieces_.size() ? pieces_[v].root : kNone;
     }
+    std::uint32_t rootCount() const { return static_cast<std::uint32_t>(rootEnds_.size()); }
     std::uint32_t rootStart(std::uint32_t root) const { return rootEnds_[root].a; }
     std::uint32_t rootEnd(std::uint32_t root) const { return rootEnds_[root].b; }
 

@@ -151,6 +151,41 @@ TEST(NarrowPlaces, AnArmEndsWhereItBends)
     }
 }
 
+TEST(AcuteArms, ConcernTrianglesNearTheirCornerAndBetweenThem)
+{
+    // A needle from x = 0.2 whose arms are in two pieces, and a small square.
+    Square square({{{0.2, 0.5}, {0.5, 0.5}},
+                   {{0.5, 0.5}, {0.8, 0.5}},
+                   {{0.2, 0.5}, {0.4, 0.502}},
+                   {{0.4, 0.502}, {0.8, 0.506}},
+                   {{0.90, 0.90}, {0.91, 0.90}},
+                   {{0.91, 0.90}, {0.91, 0.91}},
+                   {{0.91, 0.91}, {0.90, 0.91}},
+                   {{0.90, 0.91}, {0.90, 0.90}}});
+    const MeshEditor editor(square.mesh());
+    const Triangulation& t = editor.triangulation();
+    const AcuteArms arms(editor);
+    const auto at = [&](Vec2 p) {
+        for (std::uint32_t i = 0; i < t.triangles.size(); ++i) {
+            const auto& v = t.triangles[i].v;
+            bool isInside = t.isFinite(i);
+            for (std::uint32_t k = 0; isInside && k < 3; ++k) {
+                const Vec2 a = t.points[v[k]];
+                isInside = cross(t.points[v[(k + 1) % 3]] - a, p - a) > 0.0;
+            }
+            if (isInside) {
+                return i;
+            }
+        }
+        ADD_FAILURE();
+        return 0U;
+    };
+    EXPECT_TRUE(arms.concern(at({0.25, 0.5001}))); // at the corner
+    EXPECT_TRUE(arms.concern(at({0.7, 0.5045})));  // its three corners on the arms
+    EXPECT_TRUE(arms.concern(at({0.25, 0.6})));    // outside, but beside the corner
+    EXPECT_FALSE(arms.concern(at({0.902, 0.907})));
+}
+
 TEST(NarrowPlaces, WiderOnesBesideThoseThatAreFollowedAreFollowedToo)
 {
     for (const double upper : {0.0016, 0.0001}) {
