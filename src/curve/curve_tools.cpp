@@ -76,7 +76,9 @@ double arcLength(const Curve& curve, double a, double b)
 {
     const auto speed = [&curve](double t) { return length(curve.derivative(t)); };
     const double whole = gaussLegendre(speed, a, b);
-    return adaptiveLength(curve, a, b, whole, 1e-13 * whole, kMaxDepth);
+    // No better than the parameters of its ends are known: below that there is only noise.
+    const double rounding = 0x1p-52 * std::max(std::abs(a), std::abs(b)) / std::abs(b - a) * whole;
+    return adaptiveLength(curve, a, b, whole, std::max(1e-13 * whole, rounding), kMaxDepth);
 }
 
 double arcLength(const Curve& curve)
