@@ -141,15 +141,15 @@ private:
         const double t = 0.5 * (a + b);
         const double length = distance(curve.point(a), curve.point(t))
             + distance(curve.point(t), curve.point(b));
-        const double least = lookAt(curve, t);
+        const double asked = lookAt(curve, t);
         const double size = base_.size(curve.point(t));
-        if (depth > 0 && length > std::min(2.0 * size, least / options_.elements)) {
+        if (depth > 0 && length > std::min(2.0 * size, asked)) {
             lookBetween(curve, a, t, depth - 1);
             lookBetween(curve, t, b, depth - 1);
         }
     }
 
-    /// Returns the narrowest gap found, infinite if there is none.
+    /// Returns the size that is asked for, infinite if there is no gap.
     double lookAt(const Curve& curve, double t)
     {
         if ((++looks_ & 0xffU) == 0) {
@@ -158,12 +158,12 @@ private:
         const Vec2 p = curve.point(t);
         const Vec2 d = curve.derivative(t);
         const double speed = length(d);
-        double least = std::numeric_limits<double>::infinity();
+        double asked = std::numeric_limits<double>::infinity();
         if (speed > 0.0) {
             const Vec2 normal {-d.y / speed, d.x / speed};
-            least = std::min(lookTo(p, normal, t), lookTo(p, -1.0 * normal, t));
+            asked = std::min(lookTo(p, normal, t), lookTo(p, -1.0 * normal, t));
         }
-        return least;
+        return asked;
     }
 
     double lookTo(Vec2 p, Vec2 direction, double t)
@@ -194,8 +194,9 @@ private:
             return std::numeric_limits<double>::infinity();
         }
         const double least = options_.minSize > 0.0 ? options_.minSize : 1e-3 * size;
-        sources_.push_back({p, q, std::max(nearest / options_.elements, std::min(least, size))});
-        return nearest;
+        const double asked = std::max(nearest / options_.elements, std::min(least, size));
+        sources_.push_back({p, q, asked});
+        return asked;
     }
 
     /// A chord of the curve that is looked along, at the parameter t.

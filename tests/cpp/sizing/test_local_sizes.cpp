@@ -193,6 +193,19 @@ TEST(GapSizes, WhatIsOutsideDoesNotCount)
     EXPECT_TRUE(gapSources(network, base, nowhere, execution).empty());
 }
 
+TEST(GapSizes, NarrowerThanTheLeastSizeTakesNoMoreSources)
+{
+    const UniformSize base(1.0);
+    const GapOptions options {.elements = 1.0, .minSize = 0.1};
+    const auto count = [&](double width) {
+        return gapSources(strip(width), base, options, Execution()).size();
+    };
+    const std::size_t wide = count(0.1);
+    EXPECT_GT(wide, 100U);
+    EXPECT_LE(count(0.01), wide);
+    EXPECT_LE(count(0.001), wide);
+}
+
 TEST(GapSizes, CornersAndRoundCurvesAreNoGaps)
 {
     Execution execution;
