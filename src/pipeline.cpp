@@ -554,7 +554,7 @@ MeshResult meshToCount(const CurveNetwork& network, const SizeField* size,
         return Run(network, trial, execution, stages).mesh(size); // it says why nothing is inside
     }
     CountSearch search(static_cast<double>(options.count), box.max.x - box.min.x,
-                       box.max.y - box.min.y);
+                       box.max.y - box.min.y, options.minSize);
     StageSeconds seconds;
     MeshResult best;
     int runs = 0;
@@ -564,7 +564,7 @@ MeshResult meshToCount(const CurveNetwork& network, const SizeField* size,
         const double end = begin + (1.0 - begin) / 3.0;
         execution.setShare(begin, end);
         begin = end;
-        trial.size = h;
+        trial.size = std::max(h, options.minSize); // which it is, but for rounding
         MeshResult result = Run(network, trial, execution, observer).mesh(size);
         addSeconds(seconds, result.report.seconds);
         return result;

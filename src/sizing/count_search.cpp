@@ -17,13 +17,14 @@ constexpr double kFarthest = 2.0; ///< a step of the logarithm
 constexpr double kNoStep = 1e-6;
 } // namespace
 
-CountSearch::CountSearch(double target, double width, double height)
+CountSearch::CountSearch(double target, double width, double height, double leastSize)
     : target_(target)
+    , smallest_(std::log(leastSize))
     , largest_(std::log(std::hypot(width, height)))
     , least_(std::numeric_limits<double>::infinity())
 {
     const double equilateral = 4.0 / std::numbers::sqrt3 / target;
-    next_ = std::min(0.5 * (std::log(width) + std::log(height) + std::log(equilateral)), largest_);
+    next_ = bounded(0.5 * (std::log(width) + std::log(height) + std::log(equilateral)));
 }
 
 double CountSearch::next() const
@@ -57,7 +58,7 @@ bool CountSearch::take(double triangles)
     }
     // A little farther than the square law says, so that the next one lies on the other side.
     const double step = 0.5 * outcome.excess + std::copysign(0.5 * kGoodEnough, outcome.excess);
-    next_ = std::min(outcome.size + std::clamp(step, -kFarthest, kFarthest), largest_);
+    next_ = bounded(outcome.size + std::clamp(step, -kFarthest, kFarthest));
     return next_ != outcome.size;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 namespace tessera
@@ -17,9 +18,9 @@ class CountSearch
 public:
     static constexpr int kMostRuns = 12;
 
-    /// target triangles are wanted in an area of width × height. Preconditions: target > 0, width
-    /// and height > 0.
-    CountSearch(double target, double width, double height);
+    /// target triangles are wanted in an area of width × height, with no size below leastSize.
+    /// Preconditions: target > 0, width and height > 0, leastSize >= 0.
+    CountSearch(double target, double width, double height, double leastSize = 0.0);
 
     /// The size to try.
     double next() const;
@@ -42,9 +43,13 @@ private:
         double excess;
     };
 
+    /// The logarithm of a size, brought into the bounds.
+    double bounded(double size) const { return std::min(std::max(size, smallest_), largest_); }
+
     double target_;
-    double next_;    ///< logarithm
-    double largest_; ///< logarithm
+    double smallest_; ///< logarithm
+    double largest_;  ///< logarithm
+    double next_;     ///< logarithm
     double least_;   ///< |excess| so far
     bool lastIsBest_ = false;
     std::optional<Outcome> tooMany_;

@@ -134,6 +134,18 @@ TEST(Count, WhatCannotBeReachedIsListed)
     EXPECT_EQ(item.value, static_cast<double>(made.mesh.triangles.size()));
 }
 
+TEST(Count, NoSizeBelowTheLeastIsTried)
+{
+    MeshOptions options;
+    options.count = 100000;
+    options.minSize = 0.5;
+    const MeshResult made = meshed(options);
+    EXPECT_EQ(made.report.count.size, 0.5);
+    ASSERT_FALSE(made.report.unreached.empty());
+    EXPECT_EQ(made.report.unreached.back().what, "count");
+    EXPECT_GT(made.mesh.triangles.size(), 500U);
+}
+
 TEST(Count, ExcludesASize)
 {
     MeshOptions options;
