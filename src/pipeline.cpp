@@ -265,7 +265,7 @@ private:
         const double largest = options_.size > 0.0 ? options_.size : result_.report.defaultSize;
         double length = 0.0;
         for (const NetworkCurve& curve : network_.curves) {
-            length += curve.role == Role::Ignored ? 0.0 : curveLength(network_, curve);
+            length += isMeshed(curve) ? curveLength(network_, curve) : 0.0;
         }
         return options_.refine && largest > 0.0 ? std::min(length / largest, 1e300) : 0.0;
     }
@@ -280,7 +280,10 @@ private:
         double pieces = 0.0;
         constexpr int kPlaces = 4;
         for (const NetworkCurve& curve : network_.curves) {
-            const double length = curve.role == Role::Ignored ? 0.0 : curveLength(network_, curve);
+            if (!isMeshed(curve)) {
+                continue; // arrange() took its points away
+            }
+            const double length = curveLength(network_, curve);
             const Vec2 a = network_.points[curve.start.index()];
             const Vec2 b = network_.points[curve.end.index()];
             for (int i = 0; length > 0.0 && i < kPlaces; ++i) {

@@ -224,6 +224,17 @@ TEST(Pipeline, RefusesBadOptions)
     EXPECT_EQ(kindOfError(network), ErrorKind::InvalidInput);
 }
 
+TEST(Pipeline, IgnoredCurvesAreNoneForTheMemoryEither)
+{
+    CurveNetwork network = withOperands(1);
+    addPolygon(network, {{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    MeshOptions options {.size = 1.0, .memoryLimit = 1e9};
+    options.sizes.points.push_back({{0, 0}, {0.1}});
+    const MeshResult without = meshed(network, options);
+    addPolygon(network, {{20, 0}, {30, 0}, {30, 10}}, 0, Role::Ignored);
+    EXPECT_EQ(meshed(network, options).mesh.nodes, without.mesh.nodes);
+}
+
 TEST(Pipeline, CancelAndTimeLimit)
 {
     CurveNetwork network = withOperands(1);
