@@ -15,6 +15,12 @@
 // changes and each of them is strictly counter-clockwise, decided exactly; flips to the constrained
 // Delaunay diagonal do not lower the smallest angle of their two triangles. So no triangle is ever
 // inverted and the sequence of smallest angles of each touched patch rises: it ends.
+//
+// The smallest angle alone is no good guide beside edges that stay whole though far longer than the
+// size: the farther the apex of the triangle on one moves away, the better, so that free vertices
+// are merged, and crowded far from the edge (mean quality 0.912 -> 0.745 on a plate with such
+// sides). After keepMeanQuality() moves must not lower the sum of qualities in the star either,
+// merges not the sum of their differences from the mean.
 
 #include "optimize/local_improvement.h"
 
@@ -62,6 +68,20 @@ LocalImprovement::LocalImprovement(WorkingMesh& mesh, const SizeField& size,
     , execution_(execution)
     , scan_(kScan)
 {}
+
+void LocalImprovement::keepMeanQuality()
+{
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
+        if (mesh_.regionOfTriangle[i] != WorkingMesh::kOutside && t_.isFinite(i)) {
+            const auto& v = t_.triangles[i].v;
+            sum += qualityOf(t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]);
+            count += 1.0;
+        }
+    }
+    meanToKeep_ = count > 0.0 ? sum / count : 0.0;
+}
 
 void LocalImprovement::improveAll()
 {
@@ -328,13 +348,27 @@ void LocalImprovement::smoothLaplace(std::uint32_t v)
 
 bool LocalImprovement::moveIfBetter(Vec2 p, double now)
 {
-    if (star_.quality(p, now) <= now || !isValidCenter(star_, p)) {
+    if (star_.quality(p, now) <= now || !mayMove(p) || !isValidCenter(star_, p)) {
         return false;
     }
     t_.points[star_.center()] = p;
     ++report_.moves;
     legalizeStar();
     return true;
+}
+
+bool LocalImprovement::mayMove(Vec2 p) const
+{
+    return !meanToKeep_
+        || star_.sumOfQualities(p) >= star_.sumOfQualities(t_.points[star_.center()]);
+}
+
+/// A merge takes two triangles away: the mean does not fall if the sum falls by twice it at most.
+bool LocalImprovement::mayMerge(int target) const
+{
+    return !meanToKeep_
+        || star_.sumOfQualitiesWithout(target) + 2.0 * *meanToKeep_
+            >= star_.sumOfQualities(t_.points[star_.center()]);
 }
 
 void LocalImprovement::legalizeStar()
@@ -393,7 +427,7 @@ void LocalImprovement::searchPattern(std::uint32_t v)
         for (const Vec2 direction : kDirections) {
             const Vec2 p = from + step * direction;
             const double quality = star_.quality(p, bestQuality);
-            if (quality > bestQuality) {
+            if (quality > bestQuality && mayMove(p)) {
                 best = p;
                 bestQuality = quality;
             }
@@ -425,7 +459,7 @@ void LocalImprovement::tryCollapse(std::uint32_t v)
             continue;
         }
         const double quality = star_.qualityWithout(i, best);
-        if (quality > best) {
+        if (quality > best && mayMerge(i)) {
             best = quality;
             target = i;
         }

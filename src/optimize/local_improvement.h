@@ -8,6 +8,7 @@
 #include "sizing/size_field.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,8 @@ public:
     LocalImprovement(WorkingMesh& mesh, const SizeField& size, OptimizeReport& report,
                      Execution& execution);
 
+    /// From now on moves and merges that lower the mean quality of the mesh are not made. O(n).
+    void keepMeanQuality();
     /// Works on all bad triangles of the mesh.
     void improveAll();
     /// Works on the bad triangles at these vertices only, which are new.
@@ -50,6 +53,8 @@ private:
     void searchPattern(std::uint32_t v);
     void tryCollapse(std::uint32_t v);
     bool moveIfBetter(Vec2 p, double now);
+    bool mayMove(Vec2 p) const;
+    bool mayMerge(int target) const;
     void legalizeStar();
     void legalizeSuspects();
     void unsettleRing();
@@ -60,6 +65,7 @@ private:
     OptimizeReport& report_;
     Execution& execution_;
     double scan_; ///< squared sine below which a triangle is bad
+    std::optional<double> meanToKeep_;
     bool changedOnly_ = false; ///< no triangle is bad whose corners are all settled
     Star star_;
     std::vector<std::uint32_t> list_; ///< vertices to work on, each once

@@ -3,6 +3,10 @@
 // Local improvement first, because it mends most bad triangles without adding points. Where angles
 // below the wanted one remain, Delaunay refinement inserts points, and their surroundings are
 // improved again.
+//
+// Beside a frozen boundary refine() has inserted what helps, as it does without optimization; here
+// only moves and merges follow that raise smallest angles and keep the mean quality, so that
+// neither is below what refine() made. Points are inserted for areas above their limits only.
 
 #include "optimize/optimize.h"
 
@@ -11,7 +15,9 @@
 #include "refine/delaunay_refinement.h"
 #include "refine/mesh_editor.h"
 
+#include <algorithm>
 #include <numeric>
+#include <vector>
 
 namespace tessera
 {
@@ -19,6 +25,14 @@ namespace tessera
 namespace
 {
 constexpr int kAttempts = 4;
+
+/// Whether Delaunay refinement may mend something.
+bool isWorthRefining(const std::vector<Unreached>& unreached, const RefineOptions& options)
+{
+    return std::any_of(unreached.begin(), unreached.end(), [&](const Unreached& miss) {
+        return !options.freezeBoundary || miss.what == "max_area";
+    });
+}
 } // namespace
 
 OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
@@ -27,17 +41,22 @@ OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, const RefineOp
     OptimizeReport report;
     const BorderRecords border(mesh, execution);
     LocalImprovement improvement(mesh, size, report, execution);
+    RefineOptions refineOptions = options;
+    if (options.freezeBoundary) {
+        improvement.keepMeanQuality();
+        refineOptions.minAngle = 0.0;
+    }
     improvement.improveAll();
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const std::vector<std::uint32_t> candidates = improvement.touchedTriangles();
         report.unreached = findUnreached(mesh, options, candidates, execution);
-        if (report.unreached.empty() || attempt + 1 == kAttempts) {
+        if (!isWorthRefining(report.unreached, options) || attempt + 1 == kAttempts) {
             break;
         }
         const std::size_t firstNew = mesh.triangulation.points.size();
         MeshEditor editor(mesh);
         RefineReport refined;
-        refineDelaunay(editor, size, options, candidates, refined, execution);
+        refineDelaunay(editor, size, refineOptions, candidates, refined, execution);
         report.interiorPoints += refined.interiorPoints;
         report.segmentSplits += refined.segmentSplits;
         std::vector<std::uint32_t> added(mesh.triangulation.points.size() - firstNew);

@@ -22,7 +22,7 @@ struct OptimizeReport
 /// Improves the triangles of the kept regions (paper, Algorithm 1, step 5) by swaps, smoothing and
 /// merging, then by Delaunay refinement what is still below options.minAngle. Never inverts a
 /// triangle (exact), never moves a vertex off its curve, never lowers the smallest angle of what it
-/// moves. Ends for any input.
+/// moves, nor the mean quality where the boundary is frozen. Ends for any input.
 OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
                         Execution& execution);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 namespace tessera
@@ -24,6 +25,15 @@ inline double squaredSineOfSmallest(Vec2 a, Vec2 b, Vec2 c)
     const double longest = std::max({ab, bc, ca});
     const double middle = std::max(std::min(ab, bc), std::min(std::max(ab, bc), ca));
     return middle > 0.0 ? twiceArea / longest * (std::abs(twiceArea) / middle) : 0.0;
+}
+
+/// 4 sqrt(3) area / sum of squared edges: 1 for an equilateral triangle, negative if clockwise, 0
+/// for a point.
+inline double qualityOf(Vec2 a, Vec2 b, Vec2 c)
+{
+    constexpr double kTwiceRootOfThree = 2.0 * std::numbers::sqrt3;
+    const double squares = squaredLength(b - a) + squaredLength(c - b) + squaredLength(a - c);
+    return squares > 0.0 ? kTwiceRootOfThree * (cross(b - a, c - a) / squares) : 0.0;
 }
 
 /// The ring of vertices around an interior vertex, counter-clockwise.
@@ -97,6 +107,24 @@ public:
             }
         }
         return worst;
+    }
+    /// Sum of qualityOf() over the triangles with the center at p.
+    double sumOfQualities(Vec2 p) const
+    {
+        double sum = 0.0;
+        for (int i = 0; i < count_; ++i) {
+            sum += qualityOf(p, ring_[i], ring_[after(i)]);
+        }
+        return sum;
+    }
+    /// As sumOfQualities() after the center has been merged into ring vertex target.
+    double sumOfQualitiesWithout(int target) const
+    {
+        double sum = 0.0;
+        for (int i = after(target); after(i) != target; i = after(i)) {
+            sum += qualityOf(ring_[target], ring_[i], ring_[after(i)]);
+        }
+        return sum;
     }
     double squaredLengthTo(int i, Vec2 p) const { return squaredLength(ring_[i] - p); }
 

@@ -78,10 +78,12 @@ RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOption
     releaseRim(editor, patch);
     RefineOptions rest = options;
     std::vector<std::uint32_t> candidates = std::move(front.open);
-    if (options.optimizeFollows) {
+    // Beside a frozen boundary optimize() inserts nothing for small angles.
+    const bool leavesAngles = options.optimizeFollows && !options.freezeBoundary;
+    if (leavesAngles) {
         rest.minAngle = 0.0;
     }
-    if (!options.optimizeFollows || hasAreaLimits(options)) {
+    if (!leavesAngles || hasAreaLimits(options)) {
         candidates.resize(mesh.triangulation.triangles.size());
         std::iota(candidates.begin(), candidates.end(), 0U);
     }

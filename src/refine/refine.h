@@ -63,7 +63,7 @@ struct RefineOptions
     bool freezeBoundary = false;   ///< constrained edges may not be split
     std::vector<double> regionMaxArea; ///< by region; 0: none
     /// optimize() will be called with the same options: small angles are left to it, which mends
-    /// most of them without further points.
+    /// most of them without further points; but not with a frozen boundary.
     bool optimizeFollows = false;
     double maxTriangles = 0.0; ///< more are refused; 0: no limit
     /// Triangles that may be spent on gaps too narrow for kSmallestPiece, as a share of the others;

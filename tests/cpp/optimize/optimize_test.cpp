@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace tessera
 {
 namespace
@@ -29,12 +31,11 @@ struct Optimized
     OptimizeReport report;
 };
 
-Optimized optimizeDomain(const Domain& domain, const SizeField& size)
+Optimized optimizeDomain(const Domain& domain, const SizeField& size, RefineOptions options = {})
 {
     Optimized r {domain, domain.build(), {}, {}, {}, {}};
     r.mesh = r.original;
     Execution execution;
-    RefineOptions options;
     options.optimizeFollows = true;
     refine(r.mesh, size, options, execution);
     r.before = measure(r.mesh, size);
@@ -107,6 +108,52 @@ TEST(Optimize, PowersOfTwoChangeNothing)
             const Vec2 p = expected.mesh.triangulation.points[v];
             ASSERT_EQ(r.mesh.triangulation.points[v],
                       (Vec2 {std::ldexp(p.x, power), std::ldexp(p.y, power)}));
+        }
+    }
+}
+
+/// Long sides beside sizes or gaps far below their length.
+std::vector<Domain> coarseOutlines()
+{
+    const std::vector<std::vector<Vec2>> outlines {
+        {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+        {{0, 0}, {1, 0}, {0.9, 0.1}},
+        {{0, 0}, {1, 0}, {1, 0.06}, {0.05, 0.07}, {0.05, 1}, {0, 1}},
+        {{0, 0}, {1, 0}, {1, 0.7}, {0.9, 0.7}, {0.9, 0.1}, {0.6, 0.1}, {0.6, 0.9}, {0.5, 0.8},
+         {0.5, 0.1}, {0, 0.1}},
+        {{0, 0}, {1, -0.1}, {1.3, 0.5}, {0.8, 1.1}, {0.1, 0.9}},
+    };
+    std::vector<Domain> domains;
+    for (const std::vector<Vec2>& outline : outlines) {
+        domains.emplace_back().addPolygon(outline, nullptr);
+    }
+    domains.back().addCircle({0.6, 0.5}, 0.02, 24);
+    domains.push_back(domains.front());
+    domains.back().addLine({0.1, 0.3}, {0.9, 0.302}, nullptr);
+    domains.back().addLine({0.2, 0.31}, {0.8, 0.305}, nullptr);
+    return domains;
+}
+
+TEST(Optimize, QualityNeverFallsBesideAFrozenBoundary)
+{
+    RefineOptions options;
+    options.freezeBoundary = true;
+    for (const Domain& domain : coarseOutlines()) {
+        for (const double h : {0.1, 0.03, 0.012}) {
+            SCOPED_TRACE(testing::Message() << domain.points.size() << " points, size " << h);
+            const UniformSize size(h);
+            WorkingMesh refined = domain.build();
+            Execution execution;
+            refine(refined, size, options, execution);
+            const Figures plain = measure(refined, size);
+            const Optimized r = optimizeDomain(domain, size, options);
+            expectValid(r);
+            EXPECT_EQ(r.report.segmentSplits, 0U);
+            EXPECT_GE(r.after.meanQuality, plain.meanQuality);
+            EXPECT_GE(r.after.minAngle, plain.minAngle - 1e-9);
+            // Sizes are not given up for it.
+            EXPECT_GE(r.after.triangles, plain.triangles * 3 / 4);
+            EXPECT_EQ(r.report.unreached.empty(), r.after.minAngle >= 30.0);
         }
     }
 }

@@ -124,6 +124,18 @@ TEST(Refine, FrozenBoundaryStays)
     EXPECT_EQ(r.mesh.edges.size(), r.original.edges.size());
 }
 
+TEST(Refine, FrozenBoundaryLeavesNoAnglesToOptimization)
+{
+    const SegmentSize size({0.1, 0.45}, {0.3, 0.52}, 0.002, 0.4, 1.0);
+    const Domain d = Domain::plate(size);
+    RefineOptions options;
+    options.freezeBoundary = true;
+    const Refined last = refineDomain(d, size, options);
+    options.optimizeFollows = true;
+    const Refined first = refineDomain(d, size, options);
+    EXPECT_EQ(first.mesh.triangulation.points, last.mesh.triangulation.points);
+}
+
 TEST(Refine, SmallInputAnglesEndAndAreListed)
 {
     for (const double degrees : {40.0, 20.0, 5.0, 1.0, 0.01}) {
