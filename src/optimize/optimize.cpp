@@ -33,6 +33,18 @@ bool isWorthRefining(const std::vector<Unreached>& unreached, const RefineOption
         return !options.freezeBoundary || miss.what == "max_area";
     });
 }
+
+/// What may not reach the targets: small angles are always tried to improve, large areas need not be.
+std::vector<std::uint32_t> suspects(const WorkingMesh& mesh, const RefineOptions& options,
+                                    const LocalImprovement& improvement)
+{
+    if (!hasAreaLimits(options)) {
+        return improvement.touchedTriangles();
+    }
+    std::vector<std::uint32_t> all(mesh.triangulation.triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return all;
+}
 } // namespace
 
 OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
@@ -48,7 +60,7 @@ OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, const RefineOp
     }
     improvement.improveAll();
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        const std::vector<std::uint32_t> candidates = improvement.touchedTriangles();
+        const std::vector<std::uint32_t> candidates = suspects(mesh, options, improvement);
         report.unreached = findUnreached(mesh, options, candidates, execution);
         if (!isWorthRefining(report.unreached, options) || attempt + 1 == kAttempts) {
             break;

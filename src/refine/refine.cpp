@@ -45,14 +45,14 @@ LatticePatch placeLattice(MeshEditor& editor, VertexSizes& sizes, Execution& exe
                          findLatticeRuns(editor, sizes, lattice, kClearance), execution);
 }
 
+} // namespace
+
 bool hasAreaLimits(const RefineOptions& options)
 {
     return options.maxArea > 0.0
         || std::any_of(options.regionMaxArea.begin(), options.regionMaxArea.end(),
                        [](double area) { return area > 0.0; });
 }
-
-} // namespace
 
 RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOptions& options,
                     Execution& execution)

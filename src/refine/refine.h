@@ -100,6 +100,9 @@ double estimateTriangles(const WorkingMesh& mesh, const SizeField& size,
 /// Edge length that keeps triangles below an area; infinity for no limit (0).
 double sizeForArea(double area);
 
+/// Whether the area of triangles is limited anywhere.
+bool hasAreaLimits(const RefineOptions& options);
+
 /// Throws Error(TooLarge) if triangles is more than options.maxTriangles.
 void requireFewTriangles(double triangles, const RefineOptions& options);
 

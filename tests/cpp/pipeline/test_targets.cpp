@@ -188,6 +188,27 @@ TEST(FrozenBoundary, StraightCurvesStayWhole)
     EXPECT_FALSE(made.report.unreached.empty());
 }
 
+TEST(FrozenBoundary, LargeAreasOfGoodTrianglesAreListed)
+{
+    CurveNetwork network;
+    network.operands.push_back({"triangle"});
+    const PointId corner[3] = {network.addPoint({0, 0}), network.addPoint({1, 0}),
+                               network.addPoint({0.5, 0.8})};
+    for (int i = 0; i < 3; ++i) {
+        addLine(network, corner[i], corner[(i + 1) % 3], Role::Boundary);
+    }
+    MeshOptions options;
+    options.size = 2.0;
+    options.maxArea = 0.3;
+    options.freezeBoundary = true;
+    Execution execution;
+    const MeshResult made = meshNetwork(network, options, execution);
+    ASSERT_EQ(made.mesh.triangles.size(), 1U);
+    ASSERT_EQ(made.report.unreached.size(), 1U);
+    EXPECT_EQ(made.report.unreached[0].what, "max_area");
+    EXPECT_NEAR(made.report.unreached[0].value, 0.4, 1e-12);
+}
+
 TEST(NarrowGaps, ThatTakeMostOfTheTrianglesAreTold)
 {
     const MeshResult coarse = meshedWithSlits({0.002}, 0.0);
