@@ -29,7 +29,7 @@ struct Drawing
     CurveNetwork network;
     MeshOptions options;
     bool straight = true;    ///< no curve has a geometry
-    bool roomy = true;       ///< whole numbers, and no needles too thin: rounding is far below
+    bool roomy = true; ///< whole numbers, no needles, nothing welded: roundings are far smaller
     bool twoThreads = false; ///< the second run: on two threads
     int cancelAfter = 0;     ///< the second run: cancelled when progress was told so often; 0: never
 };
@@ -68,29 +68,25 @@ public:
             addPolygon({box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}});
         }
         options(wanted, network.points.empty() ? 0.0 : box.diagonal());
-        const bool isGrid = kind_ <= Turned || kind_ == Huge;
-        if (!drawing_.straight && (!isGrid || drawing_.options.weld > 0.0)) {
-            drawing_.options.order = 1; // welding bends curves that are no longer than what it welds
-        }
         return std::move(drawing_);
     }
 
 private:
-    /// Byte 1: bits 0-3 the size, bit 4 a number of triangles instead, bit 5 a smallest size, bit 6
+    /// Byte 1: bits 0-2 the size, bits 3 and 4 a number of triangles instead, bit 5 a smallest size, bit 6
     /// boundaries that stay, bit 7 no optimizing. Byte 2: bits 0-5 the angle, bits 6-7 the second
     /// run. Byte 3: the growth, the share for narrow places. Byte 4: the area, elements across gaps.
     /// Byte 5: order, welding, a place with a size of its own.
     void options(const std::array<std::uint8_t, 5>& wanted, double diagonal)
     {
         MeshOptions& options = drawing_.options;
-        const int parts = 1 + (wanted[0] & 15);
-        if ((wanted[0] & 16) != 0) {
+        const int parts = 1 + (wanted[0] & 7);
+        if ((wanted[0] & 24) == 24) { // takes many runs
             options.count = static_cast<std::size_t>(parts * parts);
         }
         else {
             options.size = diagonal / parts;
         }
-        options.minSize = (wanted[0] & 32) != 0 ? diagonal / 50.0 : 0.0;
+        options.minSize = (wanted[0] & 32) != 0 ? diagonal / 30.0 : 0.0;
         options.freezeBoundary = (wanted[0] & 64) != 0;
         options.optimize = (wanted[0] & 128) == 0;
         options.minAngle = 33.0 * (wanted[1] & 63) / 63.0;
@@ -100,18 +96,19 @@ private:
         constexpr std::array kShares {2.0, 0.0, 0.1, 0.5, 1.0, 2.0, 8.0, 100.0};
         options.narrowShare = kShares[(wanted[2] >> 4) & 7];
         if ((wanted[3] & 15) != 0) {
-            options.maxArea = 0.5 * diagonal * diagonal / (1 << ((wanted[3] & 15) - 1) / 2);
+            options.maxArea = 0.5 * diagonal * diagonal / (1 << ((wanted[3] & 15) - 1) / 3);
         }
         // Many elements across the narrowest gaps take far longer than there is.
         options.sizes.gap = options.minSize > 0.0 ? (wanted[3] >> 4) & 3 : 0;
         options.sizes.piecesPerTurn = (wanted[3] & 64) != 0 ? 5.0 : 20.0;
         options.order = (wanted[4] & 32) != 0 ? 2 : 1;
         options.weld = (wanted[4] & 64) != 0 ? 1e-6 * diagonal : -1.0;
+        drawing_.roomy = drawing_.roomy && options.weld < 0.0;
         if ((wanted[4] & 128) != 0 && diagonal > 0.0) {
-            options.sizes.points.push_back({drawing_.network.points[0], {diagonal / 64.0}});
+            options.sizes.points.push_back({drawing_.network.points[0], {diagonal / 32.0}});
         }
-        // 250 bytes each: more than 3,000 triangles are refused.
-        options.memoryLimit = 7.5e5;
+        // 250 bytes each: more than 2,000 triangles are refused.
+        options.memoryLimit = 5e5;
     }
 
     void addShape()
@@ -210,9 +207,6 @@ private:
 
     void addCurve(std::shared_ptr<const Curve> geometry)
     {
-        if (kind_ == FarAway) {
-            return; // rounding welds what is a third of the grid apart
-        }
         CurveNetwork& network = drawing_.network;
         drawing_.straight = false;
         const PointId start = network.addPoint(geometry->point(geometry->first()));

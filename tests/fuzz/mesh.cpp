@@ -46,11 +46,12 @@ double leastHeight(const Mesh& mesh)
     return least;
 }
 
-/// Without mid nodes if there are triangles so thin that rounded middles of sides can lie beyond.
-RawMesh rawMesh(const Mesh& mesh)
+/// Without mid nodes where there are places so narrow that rounded middles of sides can lie beyond.
+RawMesh rawMesh(const Drawing& drawing, const Mesh& mesh)
 {
     RawMesh raw;
-    const bool second = mesh.order() == 2 && leastHeight(mesh) > 64.0 * 0x1p-53 * greatest(mesh.nodes);
+    const bool second = drawing.roomy && mesh.order() == 2
+        && leastHeight(mesh) > 64.0 * 0x1p-53 * greatest(mesh.nodes);
     for (const Vec2 p : mesh.nodes) {
         raw.nodeNumber.push_back(static_cast<std::int64_t>(raw.nodes.size()));
         raw.nodes.push_back({p.x, p.y, 0.0});
@@ -104,7 +105,7 @@ void requireValid(const Drawing& drawing, const MeshResult& made)
     if (made.mesh.triangles.empty()) {
         return; // all or the hull of nothing
     }
-    for (const std::string& problem : checkMesh(rawMesh(made.mesh)).problems) {
+    for (const std::string& problem : checkMesh(rawMesh(drawing, made.mesh)).problems) {
         // Nodes as near to a side as rounding could have put them are where they should be.
         if (drawing.roomy || problem.find(" hangs on ") == std::string::npos) {
             fail(problem);
