@@ -51,9 +51,9 @@ constexpr double kSmallestDistance = 1.0 / 64.0; ///< of the spacing, between a 
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
 /// The last bad triangles may have pieces so much shorter than the rest.
 constexpr double kLastShare = 1.0 / 4096.0;
-/// Only few neighbors: gaps that were left coarse stay so.
-constexpr std::size_t kMostTogether = 64;
-constexpr std::size_t kShortSplits = 16; ///< for each of them
+constexpr std::size_t kShortSplits = 1024;      ///< at least so many such splits
+constexpr std::size_t kEdgesPerShortSplit = 32; ///< and one for so many constrained edges
+constexpr std::size_t kMostTogether = 64; ///< more bad neighbors are a gap that was left coarse
 constexpr std::size_t kCheckpointEvery = 256;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -107,14 +107,11 @@ Shape shapeOf(const Triangulation& t, std::uint32_t triangle)
     return s;
 }
 
-constexpr std::uint32_t kNoGroup = 0xffffffffU;
-
 struct BadTriangle
 {
     double badness; ///< cosine of the smallest angle
     std::uint32_t triangle;
     std::uint32_t v[3];
-    std::uint32_t group; ///< the last bad triangles: of neighbors, else kNoGroup
 
     friend bool operator<(const BadTriangle& a, const BadTriangle& b)
     {
@@ -149,7 +146,7 @@ public:
         workLeft_ = 20.0 * static_cast<double>(t_.triangles.size())
             + 200.0 * static_cast<double>(editor_.mesh().edges.size()) + 1000.0;
         improveAll();
-        if (!givenUp_.empty() && !options_.freezeBoundary) {
+        if (!givenUp_.empty() && !options_.freezeBoundary && options_.narrowShare > 0.0) {
             improveLast();
         }
     }
@@ -177,7 +174,6 @@ private:
             isLarge ? large_.pop_back() : skinny_.pop();
             if (isCurrent(bad)) {
                 workLeft_ -= 1.0;
-                group_ = bad.group;
                 if (!improve(bad, isLarge) && !isLarge) {
                     givenUp_.push_back(bad);
                 }
@@ -189,9 +185,12 @@ private:
     void improveLast()
     {
         arms_.emplace(editor_);
+        shortSplitsLeft_ = kShortSplits + editor_.mesh().edges.size() / kEdgesPerShortSplit;
         std::vector<std::uint8_t> isBad(t_.triangles.size(), 0);
         for (const BadTriangle& bad : givenUp_) {
-            isBad[bad.triangle] = isCurrent(bad) && !arms_->concern(bad.triangle) ? 1 : 0;
+            if (isCurrent(bad) && isWorthShortPieces(bad.triangle)) {
+                isBad[bad.triangle] = 1;
+            }
         }
         std::vector<std::uint32_t> group;
         for (const BadTriangle& bad : givenUp_) {
@@ -200,8 +199,6 @@ private:
             }
             collectNeighbors(bad.triangle, isBad, group);
             if (group.size() <= kMostTogether) {
-                group_ = static_cast<std::uint32_t>(shortSplitsLeft_.size());
-                shortSplitsLeft_.push_back(kShortSplits * group.size());
                 std::for_each(group.begin(), group.end(), [this](auto i) { judge(i); });
             }
         }
@@ -287,12 +284,12 @@ private:
         }
         const Shape s = shapeOf(t_, triangle);
         const auto& v = t_.triangles[triangle].v;
-        BadTriangle bad {s.cosineOfSmallest(), triangle, {v[0], v[1], v[2]}, group_};
+        BadTriangle bad {s.cosineOfSmallest(), triangle, {v[0], v[1], v[2]}};
         if (isTooLarge(s, triangle)) {
             large_.push_back(bad);
         }
         else if (bad.badness > cosineLimit_ && !isExempt(s)) {
-            if (!isInHopelessGap(triangle) || isWorthShortPieces(triangle)) {
+            if (!isInHopelessGap(triangle, 1.0) || isWorthShortPieces(triangle)) {
                 skinny_.push(bad);
             }
             else if (!arms_) {
@@ -303,7 +300,8 @@ private:
 
     bool isWorthShortPieces(std::uint32_t triangle) const
     {
-        return group_ != kNoGroup && shortSplitsLeft_[group_] > 0 && !arms_->concern(triangle);
+        return arms_ && shortSplitsLeft_ > 0 && !arms_->concern(triangle)
+            && !isInHopelessGap(triangle, kLastShare);
     }
 
     bool isTooLarge(const Shape& s, std::uint32_t triangle) const
@@ -367,12 +365,14 @@ private:
         return false;
     }
 
-    bool isInHopelessGap(std::uint32_t triangle) const
+    /// If pieces may be shorter than usual by this share.
+    bool isInHopelessGap(std::uint32_t triangle, double share) const
     {
         for (std::uint32_t side = 0; side < 3; ++side) {
             const HalfEdge edge = Topology::halfEdge(triangle, side);
             if (t_.isConstrained(edge) && !editor_.isFree(t_.apex(edge))
-                && isHopeless(editor_, edge, size_.size(t_.points[t_.apex(edge)]), hopelessGap_)) {
+                && isHopeless(editor_, edge, size_.size(t_.points[t_.apex(edge)]),
+                              share * hopelessGap_)) {
                 return true;
             }
         }
@@ -514,7 +514,7 @@ private:
         const double least = leastPiece(editor_, editor_.constMesh().edges[record].useSet, middle,
                                         size_.size(middle));
         const bool isShort = piece < least;
-        if (isShort && (!mayBeShort || piece < kLastShare * least || shortSplitsLeft_[group_] == 0)) {
+        if (isShort && (!mayBeShort || piece < kLastShare * least || shortSplitsLeft_ == 0)) {
             return false;
         }
         const std::uint32_t v = editor_.splitEdge(edge, fraction);
@@ -522,7 +522,7 @@ private:
             return false;
         }
         if (isShort) {
-            --shortSplitsLeft_[group_];
+            --shortSplitsLeft_;
         }
         spacing_.resize(v + 1, std::min(piece, std::min(spacing_[a], spacing_[b])));
         workLeft_ -= 1.0;
@@ -542,8 +542,7 @@ private:
     double workLeft_ = 0.0;
     std::vector<BadTriangle> givenUp_;
     std::optional<AcuteArms> arms_; ///< once only short pieces can help
-    std::uint32_t group_ = kNoGroup; ///< that is worked on
-    std::vector<std::size_t> shortSplitsLeft_; ///< by group
+    std::size_t shortSplitsLeft_ = 0;
     std::vector<BadTriangle> large_;
     std::priority_queue<BadTriangle> skinny_;
     std::vector<double> spacing_; ///< by vertex

@@ -59,16 +59,22 @@ inline double hopelessGap(double minAngle)
 /// Where short subsegments demand short edges anyway, pieces may be as short as this share of them.
 inline constexpr double kShareOfSpacing = 0.5;
 
+/// The side of a recovered subsegment in FollowedGaps.
+inline std::uint32_t sideIndex(MeshEditor::RootSide on)
+{
+    return 2 * on.root + static_cast<std::uint32_t>(on.side);
+}
+
 /// The length below which pieces of a recovered subsegment are not split for the sake of its left
 /// side (0) or right side (1) beside p, where the field is size.
 inline double leastPiece(const MeshEditor& editor, MeshEditor::RootSide on, Vec2 p, double size)
 {
     const double least
         = std::min(kSmallestPiece * size, kShareOfSpacing * editor.spacingBeside(on.root, p));
-    const std::vector<double>& followed = editor.constMesh().leastPiece;
-    const std::size_t index = 2 * std::size_t {on.root} + static_cast<std::size_t>(on.side);
-    const bool isFollowed = index < followed.size() && followed[index] > 0.0;
-    return isFollowed ? std::min(least, followed[index]) : least;
+    const FollowedGaps& followed = editor.constMesh().followed;
+    return followed.empty()
+        ? least
+        : std::min(least, followed.at(sideIndex(on), editor.placeAlong(on.root, p)));
 }
 /// The same for either side.
 inline double leastPiece(const MeshEditor& editor, std::uint32_t root, Vec2 p, double size)

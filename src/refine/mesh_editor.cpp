@@ -58,6 +58,14 @@ MeshEditor::MeshEditor(WorkingMesh& mesh)
     }
 }
 
+double MeshEditor::placeAlong(std::uint32_t root, Vec2 p) const
+{
+    const Vec2 start = mesh_.triangulation.points[rootEnds_[root].a];
+    const Vec2 along = mesh_.triangulation.points[rootEnds_[root].b] - start;
+    const double whole = length(along);
+    return std::clamp(dot(p - start, along) / whole, 0.0, whole);
+}
+
 double MeshEditor::spacingBeside(std::uint32_t root, Vec2 p) const
 {
     double spacing = kInfinite;

@@ -79,6 +79,9 @@ public:
     std::uint32_t rootStart(std::uint32_t root) const { return rootEnds_[root].a; }
     std::uint32_t rootEnd(std::uint32_t root) const { return rootEnds_[root].b; }
 
+    /// The distance from rootStart() of the nearest point of the chord between the ends of the root.
+    double placeAlong(std::uint32_t root, Vec2 p) const;
+
     /// The length of the shortest recovered subsegment at an end of the root, growing with the
     /// distance from there, at a place beside it: what such short ones demand anyway.
     double spacingBeside(std::uint32_t root, Vec2 p) const;

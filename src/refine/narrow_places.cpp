@@ -164,6 +164,23 @@ void putWidestFirst(NarrowPlace& place, std::span<const double> width)
     place = std::move(sorted);
 }
 
+/// Beside its base a narrow triangle is divided finely from the foot of its apex to the ends, but not
+/// towards triangles that are left.
+FollowedTriangle reachOf(const Triangulation& t, std::uint32_t triangle,
+                         std::span<const std::uint8_t> isLeft)
+{
+    const HalfEdge base = baseOf(t, triangle);
+    const Vec2 a = t.points[t.origin(base)];
+    const Vec2 b = t.points[t.destination(base)];
+    const Vec2 foot = a + std::clamp(gapAbove(t, base).foot, 0.0, 1.0) * (b - a);
+    const auto isLeftBeyond = [&](HalfEdge side) {
+        return isLeft[Topology::triangleOf(t.twin(side))] != 0;
+    };
+    return {triangle, widthOf(t, triangle),
+            {isLeftBeyond(Topology::prev(base)) ? foot : a,
+             isLeftBeyond(Topology::next(base)) ? foot : b}};
+}
+
 /// Takes as many of the widest triangles off the place as cost at most limit; none if these are all.
 NarrowPlace takeWidest(NarrowPlace& place, double limit, const Triangulation& t)
 {
@@ -310,15 +327,17 @@ std::vector<FollowedTriangle> trianglesToFollow(const NarrowChoice& choice,
                                                 const MeshEditor& editor)
 {
     const Triangulation& t = editor.triangulation();
-    std::vector<FollowedTriangle> follow;
     std::vector<std::uint8_t> isFollowed(t.triangles.size(), 0);
     std::vector<std::uint8_t> isLeft(t.triangles.size(), 0);
     for (std::size_t i = 0; i < choice.places.size(); ++i) {
         for (const std::uint32_t triangle : choice.places[i].triangles) {
-            if (i < choice.followed) {
-                follow.push_back({triangle, widthOf(t, triangle)});
-            }
             (i < choice.followed ? isFollowed : isLeft)[triangle] = 1;
+        }
+    }
+    std::vector<FollowedTriangle> follow;
+    for (const NarrowPlace& place : std::span(choice.places).first(choice.followed)) {
+        for (const std::uint32_t triangle : place.triangles) {
+            follow.push_back(reachOf(t, triangle, isLeft));
         }
     }
     for (std::size_t i = 0; i < follow.size(); ++i) {
@@ -334,7 +353,7 @@ std::vector<FollowedTriangle> trianglesToFollow(const NarrowChoice& choice,
                                                    : widthAtCorner(t, twin) >= from.width;
             if (isWider) {
                 isFollowed[next] = 1;
-                follow.push_back({next, from.width});
+                follow.push_back({next, from.width, {from.reach[0], from.reach[1]}});
             }
         }
     }
@@ -389,28 +408,32 @@ std::vector<std::pair<std::uint32_t, double>> follow(std::span<const FollowedTri
 {
     const Triangulation& t = editor.triangulation();
     WorkingMesh& mesh = editor.mesh();
-    const auto lower = [&](HalfEdge inside, double piece) {
+    const auto lower = [&](HalfEdge inside, const FollowedTriangle& from, double piece) {
         const MeshEditor::RootSide on = editor.rootSideOf(inside);
         if (on.root == MeshEditor::kNone) {
             return;
         }
-        const std::size_t index = 2 * std::size_t {on.root} + static_cast<std::size_t>(on.side);
-        if (index >= mesh.leastPiece.size()) {
-            mesh.leastPiece.resize(index + 1, 0.0);
-        }
-        double& least = mesh.leastPiece[index];
-        least = least > 0.0 ? std::min(least, piece) : piece;
+        const auto [begin, end] = std::minmax({editor.placeAlong(on.root, from.reach[0]),
+                                               editor.placeAlong(on.root, from.reach[1])});
+        const Vec2 start = t.points[editor.rootStart(on.root)];
+        const Vec2 along = t.points[editor.rootEnd(on.root)] - start;
+        const double whole = length(along);
+        const double away = std::max(from.distanceTo(start + (begin / whole) * along),
+                                     from.distanceTo(start + (end / whole) * along));
+        mesh.followed.add(sideIndex(on), begin, end, piece + FollowedGaps::kGrowth * away);
     };
     std::vector<std::pair<std::uint32_t, double>> vertices;
-    for (const auto& [triangle, width] : triangles) {
-        const double piece = kMargin * width;
+    for (const FollowedTriangle& from : triangles) {
+        const double piece = kMargin * from.width;
         if (!(piece > 0.0)) {
             continue;
         }
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
             // The constrained edges that bound what the corner sees on this side.
-            HalfEdge right = Topology::halfEdge(triangle, corner);
-            vertices.emplace_back(t.origin(right), piece);
+            HalfEdge right = Topology::halfEdge(from.triangle, corner);
+            const std::uint32_t v = t.origin(right);
+            const double away = from.distanceTo(t.points[v]);
+            vertices.emplace_back(v, piece + FollowedGaps::kGrowth * away);
             HalfEdge left = Topology::prev(right);
             while (!t.isConstrained(right) && t.twin(right) != left) {
                 right = Topology::next(t.twin(right));
@@ -418,10 +441,11 @@ std::vector<std::pair<std::uint32_t, double>> follow(std::span<const FollowedTri
             while (!t.isConstrained(left) && t.twin(left) != right) {
                 left = Topology::prev(t.twin(left));
             }
-            lower(right, piece);
-            lower(left, piece);
+            lower(right, from, piece);
+            lower(left, from, piece);
         }
     }
+    mesh.followed.finish();
     return vertices;
 }
 

@@ -5,6 +5,7 @@
 #include "refine/mesh_editor.h"
 #include "refine/refine.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -56,17 +57,28 @@ struct FollowedTriangle
 {
     std::uint32_t triangle;
     double width;
+    Vec2 reach[2]; ///< ends of the part of its constrained edge beside which it is so narrow
+
+    /// From there, but 0 across the gap.
+    double distanceTo(Vec2 p) const
+    {
+        const Vec2 along = reach[1] - reach[0];
+        const double squared = squaredLength(along);
+        const double part
+            = squared > 0.0 ? std::clamp(dot(p - reach[0], along) / squared, 0.0, 1.0) : 0.0;
+        return std::max(0.0, distance(p, reach[0] + part * along) - width);
+    }
 };
 
 /// The triangles of the places that are followed; and those of places that are left, or at acute
 /// corners, that have a constrained edge in common with one that is no wider, and so on: small sizes
 /// reach them anyway, so that they cost little, and if one side only were divided they would be full
-/// of bad triangles. Their widths are those of the place from which they were reached.
+/// of bad triangles. Their widths and reaches are those of the triangle from which they were reached.
 std::vector<FollowedTriangle> trianglesToFollow(const NarrowChoice& choice,
                                                 const MeshEditor& editor);
 
 /// Lets refinement divide the constrained edges around these triangles down to a share of their
-/// widths, by mesh.leastPiece; returns the vertices concerned with that length.
+/// widths, by mesh.followed; returns the vertices concerned with that length.
 std::vector<std::pair<std::uint32_t, double>> follow(std::span<const FollowedTriangle> triangles,
                                                      MeshEditor& editor);
 

@@ -4,6 +4,7 @@
 #include "base/execution.h"
 #include "curve/curve_network.h"
 #include "recover/recover.h"
+#include "refine/followed_gaps.h"
 #include "region/region.h"
 #include "sizing/size_field.h"
 
@@ -33,9 +34,7 @@ struct WorkingMesh
     std::vector<VertexOrigin> origin;             ///< by vertex
     std::vector<std::uint32_t> regionOfTriangle;  ///< by triangle slot; kOutside if not kept
     std::vector<ConstrainedEdge> edges;           ///< all constrained edges
-    /// By 2 useSet, + 1 for the right side, where a place narrower than kSmallestPiece is followed:
-    /// the length below which pieces are not split for its sake. 0 or missing elsewhere.
-    std::vector<double> leastPiece {};
+    FollowedGaps followed {}; ///< side: 2 useSet, + 1 for the right one
 
     static constexpr std::uint32_t kOutside = 0xffffffffU;
 };

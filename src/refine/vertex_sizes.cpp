@@ -123,14 +123,14 @@ bool VertexSizes::followNarrowPlaces(RefineReport& report)
     report.messages = describeNarrowPlaces(choice);
     mostPieces_ = others + kMostOverCost * choice.spent();
     choice_ = std::move(choice);
-    return !editor_.constMesh().leastPiece.empty();
+    return !editor_.constMesh().followed.empty();
 }
 
 /// Lines that only begin or end in a narrow place may run along others for their whole length: then
 /// the pieces for the one place open the next, and the places cost many times what was estimated.
 void VertexSizes::leaveNarrowPlaces(RefineReport& report)
 {
-    editor_.mesh().leastPiece.clear();
+    editor_.mesh().followed.clear();
     least_.clear();
     mostPieces_ = std::numeric_limits<double>::infinity();
     choice_.followed = 0;
