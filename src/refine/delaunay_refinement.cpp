@@ -24,14 +24,19 @@
 //
 // Pieces end at kSmallestPiece until nothing else helps. Then the few bad triangles that are left away
 // from acute corners, beside the end of a gap that is followed or beside lines divided finely for
-// their other side only, may have pieces down to kLastShare of that. Complexity: O(m log m) for m
-// insertions.
+// their other side only, may have pieces down to kLastShare of that.
+//
+// Where constrained edges may not be split, triangles that are too large get their circumcenter or
+// incenter all the same if it is a share of the size away from edges and vertices.
+//
+// Complexity: O(m log m) for m insertions.
 
 #include "refine/delaunay_refinement.h"
 
 #include "predicates/predicates.h"
 #include "refine/acute_arms.h"
 #include "refine/gaps.h"
+#include "refine/triangle_shape.h"
 #include "refine/wedges.h"
 
 #include <algorithm>
@@ -49,6 +54,10 @@ namespace
 
 constexpr double kSmallestDistance = 1.0 / 64.0; ///< of the spacing, between a point and a vertex
 constexpr double kLargestRadius = 0.95;       ///< circumradius / size of an acceptable triangle
+/// Distances of points from constrained edges that may not be split and from vertices there, as
+/// shares of the size.
+constexpr double kFromFrozenEdge = 0.4;
+constexpr double kFromVertexBesideFrozen = 0.7;
 /// The last bad triangles may have pieces so much shorter than the rest.
 constexpr double kLastShare = 1.0 / 4096.0;
 constexpr std::size_t kShortSplits = 1024;      ///< at least so many such splits
@@ -57,54 +66,11 @@ constexpr std::size_t kMostTogether = 64; ///< more bad neighbors are a gap that
 constexpr std::size_t kCheckpointEvery = 256;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-double squaredDistance(Vec2 a, Vec2 b)
-{
-    return squaredLength(b - a);
-}
-
 double nearestPowerOfTwo(double x)
 {
     int exponent = 0;
     const double mantissa = std::frexp(x, &exponent);
     return std::ldexp(1.0, mantissa * mantissa < 0.5 ? exponent - 1 : exponent);
-}
-
-/// Corners in order, so that the edge opposite corner 0 is the shortest.
-struct Shape
-{
-    std::uint32_t v[3];
-    Vec2 p[3];
-    double squared[3]; ///< edge opposite each corner
-    double area;
-
-    double cosineOfSmallest() const
-    {
-        return (squared[1] + squared[2] - squared[0])
-            / (2.0 * std::sqrt(squared[1]) * std::sqrt(squared[2]));
-    }
-    double circumradius() const
-    {
-        return 0.25 * std::sqrt(squared[0] / area * (squared[1] / area) * squared[2]);
-    }
-};
-
-Shape shapeOf(const Triangulation& t, std::uint32_t triangle)
-{
-    const auto& v = t.triangles[triangle].v;
-    double squared[3];
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        squared[i] = squaredDistance(t.points[v[(i + 1) % 3]], t.points[v[(i + 2) % 3]]);
-    }
-    const std::uint32_t first = static_cast<std::uint32_t>(
-        std::min_element(squared, squared + 3) - squared);
-    Shape s;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        s.v[i] = v[(first + i) % 3];
-        s.p[i] = t.points[s.v[i]];
-        s.squared[i] = squared[(first + i) % 3];
-    }
-    s.area = 0.5 * cross(s.p[1] - s.p[0], s.p[2] - s.p[0]);
-    return s;
 }
 
 struct BadTriangle
@@ -271,7 +237,7 @@ private:
         return nearest;
     }
 
-    double leastSpacing(const Shape& s) const
+    double leastSpacing(const TriangleShape& s) const
     {
         return std::min({spacing_[s.v[0]], spacing_[s.v[1]], spacing_[s.v[2]]});
     }
@@ -282,7 +248,7 @@ private:
         if (!editor_.isKept(triangle) || !t_.isFinite(triangle)) {
             return;
         }
-        const Shape s = shapeOf(t_, triangle);
+        const TriangleShape s = shapeOf(t_, triangle);
         const auto& v = t_.triangles[triangle].v;
         BadTriangle bad {s.cosineOfSmallest(), triangle, {v[0], v[1], v[2]}};
         if (isTooLarge(s, triangle)) {
@@ -304,14 +270,20 @@ private:
             && !isInHopelessGap(triangle, kLastShare);
     }
 
-    bool isTooLarge(const Shape& s, std::uint32_t triangle) const
+    double areaLimitOf(std::uint32_t triangle) const
     {
-        double areaLimit = options_.maxArea;
+        const double limit = options_.maxArea;
         const std::uint32_t region = editor_.mesh().regionOfTriangle[triangle];
         if (region < options_.regionMaxArea.size() && options_.regionMaxArea[region] > 0.0) {
-            areaLimit = areaLimit > 0.0 ? std::min(areaLimit, options_.regionMaxArea[region])
-                                        : options_.regionMaxArea[region];
+            return limit > 0.0 ? std::min(limit, options_.regionMaxArea[region])
+                               : options_.regionMaxArea[region];
         }
+        return limit;
+    }
+
+    bool isTooLarge(const TriangleShape& s, std::uint32_t triangle) const
+    {
+        const double areaLimit = areaLimitOf(triangle);
         if (areaLimit > 0.0 && s.area > areaLimit) {
             return true;
         }
@@ -344,7 +316,7 @@ private:
 
     /// The smallest angle is an input angle, or the shortest edge runs between two constrained
     /// edges that meet at less than 60 degrees: refinement cannot help.
-    bool isExempt(const Shape& s) const
+    bool isExempt(const TriangleShape& s) const
     {
         if (editor_.findRecord(s.v[0], s.v[1]) != MeshEditor::kNone
             && editor_.findRecord(s.v[0], s.v[2]) != MeshEditor::kNone) {
@@ -381,7 +353,7 @@ private:
 
     /// Circumcenter; for skinny triangles the nearer of it and the off-center on the bisector of
     /// the shortest edge.
-    Vec2 newPoint(const Shape& s, bool isLarge) const
+    Vec2 newPoint(const TriangleShape& s, bool isLarge) const
     {
         const Vec2 b = s.p[1] - s.p[0];
         const Vec2 c = s.p[2] - s.p[0];
@@ -407,7 +379,7 @@ private:
     /// Whether anything was inserted for it.
     bool improve(const BadTriangle& bad, bool isLarge)
     {
-        const Shape s = shapeOf(t_, bad.triangle);
+        const TriangleShape s = shapeOf(t_, bad.triangle);
         const Vec2 p = newPoint(s, isLarge);
         if (!isFinite(p)) {
             return false;
@@ -428,12 +400,13 @@ private:
                 if (!(nearest_ >= kSmallestDistance * spacing)) {
                     return false;
                 }
-                const std::uint32_t v = editor_.insertInside(p, found.location);
-                spacing_.resize(v + 1, spacing);
-                ++report_.interiorPoints;
-                judgeStar(v);
+                insertInside(p, found.location, spacing);
                 return true;
             }
+        }
+        if (options_.freezeBoundary) {
+            return isLarge
+                && (insertBesideFrozen(bad, s, p) || insertBesideFrozen(bad, s, s.incenter()));
         }
         const bool mayBeShort = isWorthShortPieces(bad.triangle);
         bool anySplit = false;
@@ -447,6 +420,41 @@ private:
             judge(bad.triangle);
         }
         return anySplit;
+    }
+
+    void insertInside(Vec2 p, const Location& where, double spacing)
+    {
+        const std::uint32_t v = editor_.insertInside(p, where);
+        spacing_.resize(v + 1, spacing);
+        ++report_.interiorPoints;
+        judgeStar(v);
+    }
+
+    /// A point in the diametral circles of constrained edges that may not be split, not near them.
+    /// Where these are far longer than the size, hardly any point is outside of the circles.
+    bool insertBesideFrozen(const BadTriangle& bad, const TriangleShape& s, Vec2 p)
+    {
+        const VisibleWalk found = editor_.walk(Topology::halfEdge(bad.triangle, 0), p);
+        if (found.kind != VisibleWalk::Kind::Reached
+            || found.location.kind == Location::Kind::Vertex
+            || (found.location.kind == Location::Kind::Edge
+                && t_.isConstrained(found.location.edge))) {
+            return false;
+        }
+        encroached_.clear();
+        collectEncroached(p, found.location);
+        const double size = std::min(size_.size(p), sizeForArea(areaLimitOf(bad.triangle)));
+        const auto isClearOf = [&](const std::pair<std::uint32_t, std::uint32_t>& ends) {
+            const Vec2 a = t_.points[ends.first];
+            const Vec2 along = t_.points[ends.second] - a;
+            return std::fabs(cross(along, p - a)) >= kFromFrozenEdge * size * length(along);
+        };
+        const bool isClear = std::all_of(encroached_.begin(), encroached_.end(), isClearOf);
+        if (!isClear || !(nearest_ >= kFromVertexBesideFrozen * size)) {
+            return false;
+        }
+        insertInside(p, found.location, leastSpacing(s));
+        return true;
     }
 
     void judgeStar(std::uint32_t v)

@@ -136,6 +136,25 @@ TEST(Refine, FrozenBoundaryLeavesNoAnglesToOptimization)
     EXPECT_EQ(first.mesh.triangulation.points, last.mesh.triangulation.points);
 }
 
+TEST(Refine, SizesReachBesideFrozenLongEdges)
+{
+    Domain d;
+    d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, nullptr);
+    d.addLine({0.1, 0.96}, {0.9, 0.96}, nullptr);
+    RefineOptions options;
+    options.freezeBoundary = true;
+    const SegmentSize size({0.5, 0.5}, {0.5, 0.5}, 0.01, 0.3, 0.05);
+    const Refined graded = refineDomain(d, size, options);
+    expectValid(graded);
+    EXPECT_GE(graded.figures.triangles, 0.5 * estimateTriangles(graded.original, size));
+    EXPECT_LE(graded.figures.p95, 4.0);
+    options.maxArea = 0.001;
+    const UniformSize none(10.0);
+    const Refined bounded = refineDomain(d, none, options);
+    expectValid(bounded);
+    EXPECT_GE(bounded.figures.triangles, 1000U);
+}
+
 TEST(Refine, SmallInputAnglesEndAndAreListed)
 {
     for (const double degrees : {40.0, 20.0, 5.0, 1.0, 0.01}) {
