@@ -19,7 +19,7 @@
 // The smallest angle alone is no good guide beside edges that stay whole though far longer than the
 // size: the farther the apex of the triangle on one moves away, the better, so that free vertices
 // are merged, and crowded far from the edge (mean quality 0.912 -> 0.745 on a plate with such
-// sides). After keepMeanQuality() moves must not lower the sum of qualities in the star either,
+// sides). After keepMeanAndAreas() moves must not lower the sum of qualities in the star either,
 // merges not the sum of their differences from the mean.
 
 #include "optimize/local_improvement.h"
@@ -69,8 +69,9 @@ LocalImprovement::LocalImprovement(WorkingMesh& mesh, const SizeField& size,
     , scan_(kScan)
 {}
 
-void LocalImprovement::keepMeanQuality()
+void LocalImprovement::keepMeanAndAreas(const RefineOptions& options)
 {
+    areaOptions_ = options;
     double sum = 0.0;
     double count = 0.0;
     for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
@@ -360,15 +361,26 @@ bool LocalImprovement::moveIfBetter(Vec2 p, double now)
 bool LocalImprovement::mayMove(Vec2 p) const
 {
     return !meanToKeep_
-        || star_.sumOfQualities(p) >= star_.sumOfQualities(t_.points[star_.center()]);
+        || (star_.sumOfQualities(p) >= star_.sumOfQualities(t_.points[star_.center()])
+            && isAreaAllowed(star_.largestTwiceArea(p)));
 }
 
 /// A merge takes two triangles away: the mean does not fall if the sum falls by twice it at most.
 bool LocalImprovement::mayMerge(int target) const
 {
     return !meanToKeep_
-        || star_.sumOfQualitiesWithout(target) + 2.0 * *meanToKeep_
-            >= star_.sumOfQualities(t_.points[star_.center()]);
+        || (star_.sumOfQualitiesWithout(target) + 2.0 * *meanToKeep_
+                >= star_.sumOfQualities(t_.points[star_.center()])
+            && isAreaAllowed(star_.largestTwiceAreaWithout(target)));
+}
+
+/// Of a triangle in the star after a change: within the limit or no larger than the largest now.
+bool LocalImprovement::isAreaAllowed(double twiceArea) const
+{
+    const std::uint32_t triangle = Topology::triangleOf(star_.edge(0)); // all are in one region
+    const double limit = areaLimitOf(areaOptions_, mesh_.regionOfTriangle[triangle]);
+    return !(limit > 0.0 && twiceArea > 2.0 * limit)
+        || twiceArea <= star_.largestTwiceArea(t_.points[star_.center()]);
 }
 
 void LocalImprovement::legalizeStar()

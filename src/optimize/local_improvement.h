@@ -23,8 +23,9 @@ public:
     LocalImprovement(WorkingMesh& mesh, const SizeField& size, OptimizeReport& report,
                      Execution& execution);
 
-    /// From now on moves and merges that lower the mean quality of the mesh are not made. O(n).
-    void keepMeanQuality();
+    /// From now on moves and merges that lower the mean quality of the mesh, or raise areas above
+    /// their limits, are not made. O(n).
+    void keepMeanAndAreas(const RefineOptions& options);
     /// Works on all bad triangles of the mesh.
     void improveAll();
     /// Works on the bad triangles at these vertices only, which are new.
@@ -55,6 +56,7 @@ private:
     bool moveIfBetter(Vec2 p, double now);
     bool mayMove(Vec2 p) const;
     bool mayMerge(int target) const;
+    bool isAreaAllowed(double twiceArea) const;
     void legalizeStar();
     void legalizeSuspects();
     void unsettleRing();
@@ -66,6 +68,7 @@ private:
     Execution& execution_;
     double scan_; ///< squared sine below which a triangle is bad
     std::optional<double> meanToKeep_;
+    RefineOptions areaOptions_; ///< if there is a mean to keep
     bool changedOnly_ = false; ///< no triangle is bad whose corners are all settled
     Star star_;
     std::vector<std::uint32_t> list_; ///< vertices to work on, each once

@@ -6,7 +6,7 @@
 //
 // Beside a frozen boundary refine() has inserted what helps, as it does without optimization; here
 // only moves and merges follow that raise smallest angles and keep the mean quality, so that
-// neither is below what refine() made. Points are inserted for areas above their limits only.
+// neither is below what refine() made.
 
 #include "optimize/optimize.h"
 
@@ -15,9 +15,7 @@
 #include "refine/delaunay_refinement.h"
 #include "refine/mesh_editor.h"
 
-#include <algorithm>
 #include <numeric>
-#include <vector>
 
 namespace tessera
 {
@@ -25,14 +23,6 @@ namespace tessera
 namespace
 {
 constexpr int kAttempts = 4;
-
-/// Whether Delaunay refinement may mend something.
-bool isWorthRefining(const std::vector<Unreached>& unreached, const RefineOptions& options)
-{
-    return std::any_of(unreached.begin(), unreached.end(), [&](const Unreached& miss) {
-        return !options.freezeBoundary || miss.what == "max_area";
-    });
-}
 
 /// What may not reach the targets: small angles are always tried to improve, large areas need not be.
 std::vector<std::uint32_t> suspects(const WorkingMesh& mesh, const RefineOptions& options,
@@ -53,22 +43,20 @@ OptimizeReport optimize(WorkingMesh& mesh, const SizeField& size, const RefineOp
     OptimizeReport report;
     const BorderRecords border(mesh, execution);
     LocalImprovement improvement(mesh, size, report, execution);
-    RefineOptions refineOptions = options;
     if (options.freezeBoundary) {
-        improvement.keepMeanQuality();
-        refineOptions.minAngle = 0.0;
+        improvement.keepMeanAndAreas(options);
     }
     improvement.improveAll();
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const std::vector<std::uint32_t> candidates = suspects(mesh, options, improvement);
         report.unreached = findUnreached(mesh, options, candidates, execution);
-        if (!isWorthRefining(report.unreached, options) || attempt + 1 == kAttempts) {
+        if (report.unreached.empty() || attempt + 1 == kAttempts || options.freezeBoundary) {
             break;
         }
         const std::size_t firstNew = mesh.triangulation.points.size();
         MeshEditor editor(mesh);
         RefineReport refined;
-        refineDelaunay(editor, size, refineOptions, candidates, refined, execution);
+        refineDelaunay(editor, size, options, candidates, refined, execution);
         report.interiorPoints += refined.interiorPoints;
         report.segmentSplits += refined.segmentSplits;
         std::vector<std::uint32_t> added(mesh.triangulation.points.size() - firstNew);

@@ -126,6 +126,25 @@ public:
         }
         return sum;
     }
+    /// Twice the largest area of the triangles with the center at p.
+    double largestTwiceArea(Vec2 p) const
+    {
+        double largest = 0.0;
+        for (int i = 0; i < count_; ++i) {
+            largest = std::max(largest, cross(ring_[i] - p, ring_[after(i)] - p));
+        }
+        return largest;
+    }
+    /// As largestTwiceArea() after the center has been merged into ring vertex target.
+    double largestTwiceAreaWithout(int target) const
+    {
+        double largest = 0.0;
+        for (int i = after(target); after(i) != target; i = after(i)) {
+            largest = std::max(largest, cross(ring_[i] - ring_[target],
+                                              ring_[after(i)] - ring_[target]));
+        }
+        return largest;
+    }
     double squaredLengthTo(int i, Vec2 p) const { return squaredLength(ring_[i] - p); }
 
 private:

@@ -270,21 +270,15 @@ private:
             && !isInHopelessGap(triangle, kLastShare);
     }
 
-    double areaLimitOf(std::uint32_t triangle) const
+    double areaLimit(std::uint32_t triangle) const
     {
-        const double limit = options_.maxArea;
-        const std::uint32_t region = editor_.mesh().regionOfTriangle[triangle];
-        if (region < options_.regionMaxArea.size() && options_.regionMaxArea[region] > 0.0) {
-            return limit > 0.0 ? std::min(limit, options_.regionMaxArea[region])
-                               : options_.regionMaxArea[region];
-        }
-        return limit;
+        return areaLimitOf(options_, editor_.constMesh().regionOfTriangle[triangle]);
     }
 
     bool isTooLarge(const TriangleShape& s, std::uint32_t triangle) const
     {
-        const double areaLimit = areaLimitOf(triangle);
-        if (areaLimit > 0.0 && s.area > areaLimit) {
+        const double limitOfArea = areaLimit(triangle);
+        if (limitOfArea > 0.0 && s.area > limitOfArea) {
             return true;
         }
         const Vec2 center = (1.0 / 3.0) * (s.p[0] + s.p[1] + s.p[2]);
@@ -443,7 +437,7 @@ private:
         }
         encroached_.clear();
         collectEncroached(p, found.location);
-        const double size = std::min(size_.size(p), sizeForArea(areaLimitOf(bad.triangle)));
+        const double size = std::min(size_.size(p), sizeForArea(areaLimit(bad.triangle)));
         const auto isClearOf = [&](const std::pair<std::uint32_t, std::uint32_t>& ends) {
             const Vec2 a = t_.points[ends.first];
             const Vec2 along = t_.points[ends.second] - a;

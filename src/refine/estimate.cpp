@@ -126,16 +126,6 @@ private:
     std::vector<Part> parts_;
 };
 
-double areaLimitOf(const RefineOptions& options, std::uint32_t region)
-{
-    double limit = options.maxArea;
-    if (region < options.regionMaxArea.size() && options.regionMaxArea[region] > 0.0) {
-        limit = limit > 0.0 ? std::min(limit, options.regionMaxArea[region])
-                            : options.regionMaxArea[region];
-    }
-    return limit;
-}
-
 /// Targets that triangles miss.
 struct Misses
 {
@@ -174,6 +164,16 @@ struct Misses
 };
 
 } // namespace
+
+double areaLimitOf(const RefineOptions& options, std::uint32_t region)
+{
+    double limit = options.maxArea;
+    if (region < options.regionMaxArea.size() && options.regionMaxArea[region] > 0.0) {
+        limit = limit > 0.0 ? std::min(limit, options.regionMaxArea[region])
+                            : options.regionMaxArea[region];
+    }
+    return limit;
+}
 
 double sizeForArea(double area)
 {

@@ -96,6 +96,9 @@ RefineReport refine(WorkingMesh& mesh, const SizeField& size, const RefineOption
 double estimateTriangles(const WorkingMesh& mesh, const SizeField& size,
                          const RefineOptions& options = {});
 
+/// The smaller of maxArea and the region's; 0: none.
+double areaLimitOf(const RefineOptions& options, std::uint32_t region);
+
 /// Edge length that keeps triangles below an area; infinity for no limit (0).
 double sizeForArea(double area);
 

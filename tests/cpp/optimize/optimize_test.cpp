@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace tessera
@@ -134,14 +135,27 @@ std::vector<Domain> coarseOutlines()
     return domains;
 }
 
+/// Of areas above a limit of 0.001.
+double largestArea(const WorkingMesh& mesh)
+{
+    RefineOptions options;
+    options.maxArea = 0.001;
+    double largest = 0.0;
+    for (const Unreached& miss : findUnreached(mesh, options, Execution())) {
+        largest = miss.what == "max_area" ? std::max(largest, miss.value) : largest;
+    }
+    return largest;
+}
+
 TEST(Optimize, QualityNeverFallsBesideAFrozenBoundary)
 {
     RefineOptions options;
     options.freezeBoundary = true;
     for (const Domain& domain : coarseOutlines()) {
-        for (const double h : {0.1, 0.03, 0.012}) {
+        for (const double h : {0.2, 0.1, 0.03, 0.012}) {
             SCOPED_TRACE(testing::Message() << domain.points.size() << " points, size " << h);
             const UniformSize size(h);
+            options.maxArea = h == 0.2 ? 0.001 : 0.0;
             WorkingMesh refined = domain.build();
             Execution execution;
             refine(refined, size, options, execution);
@@ -151,6 +165,9 @@ TEST(Optimize, QualityNeverFallsBesideAFrozenBoundary)
             EXPECT_EQ(r.report.segmentSplits, 0U);
             EXPECT_GE(r.after.meanQuality, plain.meanQuality);
             EXPECT_GE(r.after.minAngle, plain.minAngle - 1e-9);
+            if (options.maxArea > 0.0) {
+                EXPECT_LE(largestArea(r.mesh), largestArea(refined) * (1.0 + 1e-12));
+            }
             // Sizes are not given up for it.
             EXPECT_GE(r.after.triangles, plain.triangles * 3 / 4);
             EXPECT_EQ(r.report.unreached.empty(), r.after.minAngle >= 30.0);
