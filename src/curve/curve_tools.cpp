@@ -125,7 +125,11 @@ Box2 curveBounds(const Curve& curve)
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         box.add(curve.point(0.5 * (ends[i] + ends[i + 1])));
     }
-    const double tolerance = 1e-6 * box.diagonal();
+    // No better than points are known, of an ellipse to the rounding of its axes: below that halving
+    // has no end.
+    const double known = std::fabs(box.min.x) + std::fabs(box.min.y)
+        + curve.secondDerivativeBound(curve.first(), curve.last());
+    const double tolerance = std::max(1e-6 * box.diagonal(), 0x1p-51 * known);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         addTightBounds(curve, ends[i], ends[i + 1], tolerance, 24, box);
     }

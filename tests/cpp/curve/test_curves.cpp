@@ -43,7 +43,11 @@ public:
     {}
     double first() const override { return curve_->first(); }
     double last() const override { return curve_->last(); }
-    Vec2 point(double t) const override { return curve_->point(t); }
+    Vec2 point(double t) const override
+    {
+        ++calls;
+        return curve_->point(t);
+    }
     Vec2 derivative(double t) const override
     {
         ++calls;
@@ -144,6 +148,21 @@ TEST(CurveTools, LengthIsNotLookedForBelowRounding)
     const double length = arcLength(arc);
     EXPECT_LT(arc.calls, 10000U);
     EXPECT_NEAR(length, 0.5 * 2.0 * 6e-10 * 6e-10, 1e-3 * length); // half of the acceleration
+}
+
+TEST(CurveTools, BoundsAreNotLookedForBelowRounding)
+{
+    // The end of a flat ellipse at the origin, which the rounding of its center hides.
+    const double end = 0.25 * kPi;
+    const Vec2 axis {1.0, 1.0};
+    const Vec2 center = EllipseArc({}, axis, axis, 0.0, 1.0).point(end);
+    const CountingCurve arc(
+        std::make_shared<EllipseArc>(Vec2 {} - center, axis, axis, end, end + 1e-9));
+    const Box2 box = curveBounds(arc);
+    EXPECT_LT(arc.calls, 10000U);
+    EXPECT_TRUE(box.contains(arc.point(end)));
+    EXPECT_TRUE(box.contains(arc.point(end + 1e-9)));
+    EXPECT_LE(box.diagonal(), 1e-14);
 }
 
 TEST(Turning, IntegratesToTheAngleOfTheArc)
