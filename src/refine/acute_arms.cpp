@@ -24,7 +24,7 @@ constexpr double kCosine = 0.5; ///< of 60 degrees
 constexpr std::size_t kMostArms = 256;
 constexpr std::size_t kNeighbors = 16;
 constexpr double kNear = 3.0;           ///< of the longest edge of a triangle
-constexpr std::size_t kMostNear = 256; ///< vertices that are looked at for one triangle
+constexpr std::size_t kMostNear = 64;  ///< vertices that are looked at for one triangle
 } // namespace
 
 AcuteArms::AcuteArms(const MeshEditor& editor)

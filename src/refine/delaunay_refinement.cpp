@@ -147,7 +147,8 @@ private:
         }
     }
 
-    /// Tries those given up once more, now with short pieces, if no acute corner explains them.
+    /// Tries those given up once more, now with short pieces, if no acute corner explains them. Takes
+    /// all back unless there are fewer of them in the end.
     void improveLast()
     {
         arms_.emplace(editor_);
@@ -168,7 +169,31 @@ private:
                 std::for_each(group.begin(), group.end(), [this](auto i) { judge(i); });
             }
         }
+        if (skinny_.empty() && large_.empty()) {
+            return;
+        }
+        const std::size_t before = countUnexplained();
+        const WorkingMesh saved = editor_.constMesh();
+        const RefineReport savedReport = report_;
         improveAll();
+        if (countUnexplained() >= before) {
+            editor_.mesh() = saved;
+            report_ = savedReport;
+        }
+    }
+
+    /// Bad triangles that no acute corner explains.
+    std::size_t countUnexplained() const
+    {
+        std::size_t count = 0;
+        for (std::uint32_t i = 0; i < t_.triangles.size(); ++i) {
+            if (editor_.isKept(i) && t_.isFinite(i)) {
+                const TriangleShape s = shapeOf(t_, i);
+                const bool isBad = s.cosineOfSmallest() > cosineLimit_ && !isExempt(s);
+                count += isBad && !arms_->concern(i) ? 1 : 0;
+            }
+        }
+        return count;
     }
 
     /// Moves those bad triangles to group that can be reached from the first without crossing others
@@ -513,8 +538,8 @@ private:
         if (record == MeshEditor::kNone) {
             return false;
         }
-        const double least = leastPiece(editor_, editor_.constMesh().edges[record].useSet, middle,
-                                        size_.size(middle));
+        const std::uint32_t root = editor_.constMesh().edges[record].useSet;
+        const double least = leastPiece(editor_, root, middle, size_.size(middle));
         const bool isShort = piece < least;
         if (isShort && (!mayBeShort || piece < kLastShare * least || shortSplitsLeft_ == 0)) {
             return false;

@@ -14,7 +14,8 @@ namespace tessera
 
 /// Delaunay refinement of the candidates and of what it makes of them: first of triangles that are
 /// too large for the size field or an area limit, then of those with an angle below
-/// options.minAngle. Adds to report.interiorPoints and report.segmentSplits.
+/// options.minAngle. Adds to report.interiorPoints and report.segmentSplits. The editor may not be used
+/// afterwards: the last attempts are taken back in its mesh if they did not help.
 void refineDelaunay(MeshEditor& editor, const SizeField& size, const RefineOptions& options,
                     std::span<const std::uint32_t> candidates, RefineReport& report,
                     Execution& execution);

@@ -54,9 +54,6 @@ constexpr double kEqualArmsOfSharp = 1.02;
 constexpr double kSharpWedge = std::numbers::pi / 6.0;
 /// Triangles beside each piece of the constrained edges, as sizes grow on both sides of it.
 constexpr double kPerPiece = 3.0;
-/// Where narrow places make more pieces than this multiple of the triangles that they were estimated
-/// to take, they are left.
-constexpr double kMostOverCost = 4.0;
 } // namespace
 
 VertexSizes::VertexSizes(MeshEditor& editor, const SizeField& size, const RefineOptions& options)
@@ -121,7 +118,7 @@ bool VertexSizes::followNarrowPlaces(RefineReport& report)
         least_[v] = least_[v] > 0.0 ? std::min(least_[v], piece) : piece;
     }
     report.messages = describeNarrowPlaces(choice);
-    mostPieces_ = others + kMostOverCost * choice.spent();
+    mostPieces_ = others + choice.spent();
     choice_ = std::move(choice);
     return !editor_.constMesh().followed.empty();
 }

@@ -353,6 +353,25 @@ TEST(Refine, ACornerWithAShortEdgeIsNoGap)
     }
 }
 
+/// Short pieces for the last bad triangles would only make more of them in there.
+TEST(Refine, ADoubleLineThatIsLeftStaysCoarse)
+{
+    const UniformSize size(0.035);
+    for (const double width : {1e-9, 1e-7, 1e-5}) {
+        Domain d;
+        d.addPolygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, &size);
+        d.addLine({0.1, 0.5}, {0.9, 0.53}, &size);
+        d.addLine({0.1, 0.5 + width}, {0.9, 0.53 + width}, &size);
+        RefineOptions options;
+        options.narrowShare = 0.0;
+        const Refined coarse = refineDomain(d, size, options);
+        const Refined left = refineDomain(d, size);
+        expectValid(left);
+        EXPECT_LE(left.figures.triangles, 3 * coarse.figures.triangles) << width;
+        EXPECT_LE(left.report.unreached.size(), 3 * coarse.report.unreached.size()) << width;
+    }
+}
+
 /// Between the arms small angles stay; beyond the bend pieces far below the size make them good, but
 /// do not open the gap before it, which would take up to 200,000 triangles.
 TEST(Refine, BeyondTheBendOfANeedleAnglesAreGood)
